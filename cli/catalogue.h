@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/method_spec.h"
+#include "cli/program.h"
+#include "core/method.h"
+#include "core/recording.h"
+
+namespace relock {
+
+/// A method that was asked for, its name found and its options checked.
+struct ChosenMethod {
+  std::string text;                            ///< as it would be typed; names its results
+  std::map<std::string, std::string> options;  ///< all of them, defaults too
+  bool yardstick = false;
+  bool needs_start = false;      ///< without a box it never answers: not for protocol detect
+  bool reads_codes = false;
+  bool deterministic = true;
+  std::vector<std::string> reads;  ///< families of the codes it reads; empty: asked about every target
+  std::function<std::unique_ptr<Method>(const Recording&, std::uint64_t seed)> make;
+
+  /// Whether it can be asked about this target at all.
+  bool asked_about(const Target& target) const;
+};
+
+/// Names of all methods, yardsticks too.
+std::vector<std::string> method_names(const Methods& methods);
+
+/// Throws Error for an unknown name (the nearest one is offered) or option.
+ChosenMethod choose(const Methods& methods, const MethodSpec& spec);
+
+/// mute, still, linear and oracle, as far as they fit the protocol and are not among `chosen` already: every
+/// comparison carries them.
+std::vector<ChosenMethod> yardsticks(const Methods& methods, bool with_start,
+                                     const std::vector<ChosenMethod>& chosen);
+
+/// The entry of a detector; throws Error when there is none (said differently when it is a tracker).
+const DetectorEntry& detector_entry(const Methods& methods, const std::string& name);
+
+}  // namespace relock

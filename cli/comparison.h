@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/run_folder.h"
+#include "eval/scores.h"
+
+namespace relock {
+
+/// The runs of a comparison, judged and scored by one gate.
+struct ScoredComparison {
+  StoredComparison stored;
+  Gate gate;
+  std::vector<Evaluation> evaluations;  ///< of each run
+  std::vector<ScoreSheet> sheets;       ///< of each run
+  /// For each run and target, localization over the Hits common to all methods asked about the target,
+  /// yardsticks apart.
+  std::vector<std::vector<Localization>> common;
+};
+
+ScoredComparison scored(StoredComparison stored, const Gate& gate);
+
+/// "klahaag, as recorded, protocol once, gate centre 0.25 D, hold 0.5 D".
+std::string heading(const StoredComparison& comparison, const Gate& gate);
+
+}  // namespace relock

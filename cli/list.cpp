@@ -1,0 +1,62 @@
+// `relock list`: the methods, with their options.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/terminal.h"
+#include "cli/verbs.h"
+
+namespace relock {
+namespace {
+
+struct Row {
+  std::string kind, name, sentence;
+  std::vector<OptionInfo> options;
+};
+
+std::vector<Row> rows(const Methods& methods) {
+  std::vector<Row> all;
+  for (const auto& d : methods.detectors.entries()) all.push_back({"detector", d.name, d.sentence, d.options});
+  for (const auto& t : methods.trackers.entries()) {
+    const bool yardstick = t.name == "still" || t.name == "linear";
+    const std::string sentence = t.sentence + (t.deterministic ? "" : " (answers differ from run to run)");
+    all.push_back({yardstick ? "yardstick" : "tracker", t.name, sentence, t.options});
+  }
+  all.push_back({"yardstick", "mute", "never answers: the low end of every scale", {}});
+  all.push_back({"yardstick", "oracle", "answers with the truth: the high end of every scale", {}});
+  std::stable_sort(all.begin(), all.end(), [](const Row& a, const Row& b) {
+    return (a.kind == "yardstick") < (b.kind == "yardstick");
+  });
+  return all;
+}
+
+void print_json(const std::vector<Row>& all) {
+  auto json = nlohmann::ordered_json::array();
+  for (const Row& row : all) {
+    auto options = nlohmann::ordered_json::array();
+    for (const OptionInfo& o : row.options)
+      options.push_back({{"name", o.name}, {"default", o.default_value}, {"unit", o.unit}, {"sentence", o.sentence}});
+    json.push_back({{"name", row.name}, {"kind", row.kind}, {"sentence", row.sentence}, {"options", options}});
+  }
+  fmt::print("{}\n", json.dump(2));
+}
+
+}  // namespace
+
+int list(const ListArguments& arguments, const Methods& methods) {
+  const auto all = rows(methods);
+  if (arguments.json) return print_json(all), 0;
+  for (const Row& row : all) {
+    fmt::print("{:<10} {:<9}  {}\n", row.name, row.kind, row.sentence);
+    if (!arguments.verbose) continue;
+    for (const OptionInfo& option : row.options)
+      fmt::print("{:>22}  {}={}{}\n{:24}{}\n", "", option.name, option.default_value,
+                 option.unit.empty() ? "" : " " + option.unit, "", option.sentence);
+  }
+  if (!arguments.verbose) fmt::print("\n`relock list --verbose` shows their options; give them as NAME(OPTION=VALUE,...)\n");
+  return 0;
+}
+
+}  // namespace relock

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/recording.h"
+#include "eval/replay.h"
+
+namespace relock {
+
+// Where results are:
+//   OUT/relock-results.json                       says that the folder is relock's
+//   OUT/RECORDING/recording/                      truth: recording.toml, timestamps.csv, labels.csv
+//   OUT/RECORDING/GAPS-PROTOCOL/METHOD/           one run: run.json, trajectory.csv, timing.csv;
+//                                                 `relock score` adds scores.json, events.csv, verdicts.csv
+// A run folder is written under a temporary name and renamed when it is complete.
+
+/// What produced a run, and how it went: run.json.
+struct RunRecord {
+  // What went in. A run with the same of these is not run again.
+  std::string relock_version;
+  std::string opencv_version;
+  std::string recording;    ///< its name
+  std::string fingerprint;  ///< of its pictures, times and labels
+  std::string method;       ///< as it would be typed
+  std::map<std::string, std::string> options;  ///< of the method, defaults too
+  std::string gaps;                            ///< pattern, "none" as recorded
+  std::vector<FrameIndex> dropped;             ///< frames that the pattern took
+  std::uint64_t seed = 1;
+  Protocol protocol = Protocol::once;
+  std::string gate;  ///< by which protocol reset judged losses
+
+  // What it was.
+  bool yardstick = false;
+  bool reads_codes = false;
+  bool deterministic = true;
+  // How it went.
+  std::vector<std::optional<FrameIndex>> judged_from;  ///< for each target
+  std::vector<std::optional<FrameIndex>> failed_from;  ///< for each target
+  std::vector<Failure> failures;
+  std::optional<Failure> cut_short;  ///< the recording could not be read on from there
+
+  bool same_inputs(const RunRecord& other) const;
+};
+
+/// A run read back from its folder.
+struct StoredRun {
+  std::filesystem::path folder;
+  RunRecord record;
+  Trajectory trajectory;
+};
+/// All runs on one recording with the same gaps and protocol: what may stand in one table.
+struct StoredComparison {
+  std::filesystem::path folder;
+  Recording recording;
+  std::vector<StoredRun> runs;  ///< by name; yardsticks last
+};
+
+/// Makes `out` ready: creates it, or checks that it is relock's. Throws Error when it belongs to something else
+/// or cannot be written.
+void prepare_results(const std::filesystem::path& out);
+
+/// Writes OUT/RECORDING/recording, or checks that the one there is the same. Throws Error when it was made from
+/// another recording or other labels.
+void store_truth(const std::filesystem::path& out, const Recording& recording, const std::string& fingerprint);
+
+/// Where a run belongs.
+std::filesystem::path run_folder(const std::filesystem::path& out, const RunRecord& record);
+/// Whether a complete run with the same inputs is there already.
+bool already_run(const std::filesystem::path& folder, const RunRecord& record);
+/// Writes a run, in the place of an older one.
+void store_run(const std::filesystem::path& folder, const RunRecord& record, const Recording& recording,
+               const Replay& replay);
+
+/// Finds and reads all runs below `folder`: a results folder or a part of one. Throws Error when there is none.
+std::vector<StoredComparison> read_results(const std::filesystem::path& folder);
+
+/// Writes a text file whole or not at all; throws Error when it cannot be written.
+void write_file(const std::filesystem::path& path, const std::string& content);
+
+}  // namespace relock

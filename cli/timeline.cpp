@@ -1,0 +1,75 @@
+// `relock timeline`: what became of every target, as a lane and a sentence.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/comparison.h"
+#include "cli/terminal.h"
+#include "cli/verbs.h"
+#include "eval/timeline_text.h"
+
+namespace relock {
+namespace {
+
+struct Line {
+  std::string name, lane, story;
+};
+
+/// Lane and sentence side by side where the terminal is wide enough, else one below the other.
+void print_line(const Line& line, std::size_t name_columns, const TimelineStyle& style, int width) {
+  const std::string name = padded(line.name, name_columns);
+  const auto lane_columns = static_cast<std::size_t>(style.columns);
+  const bool fits = name_columns + lane_columns + columns_of(line.story) + 6 <= static_cast<std::size_t>(width);
+  if (fits) {
+    fmt::print("  {}  {}  {}\n", name, line.lane, line.story);
+  } else {
+    fmt::print("  {}  {}\n  {:{}}  {}\n", name, line.lane, "", name_columns, line.story);
+  }
+}
+
+void print_target(const ScoredComparison& scored, std::size_t t, TimelineStyle style, int width) {
+  const StoredComparison& comparison = scored.stored;
+  const auto& evaluations = scored.evaluations;
+  const Recording& recording = comparison.recording;
+  std::vector<Line> lines;
+  std::size_t name_columns = 0;
+  for (const StoredRun& run : comparison.runs)
+    name_columns = std::max(name_columns, columns_of(run.record.method));
+  style.columns = std::clamp(width / 2 - static_cast<int>(name_columns), 20, 100);
+  for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
+    const StoredRun& run = comparison.runs[i];
+    if (!run.trajectory.judged_from[t]) continue;
+    lines.push_back({run.record.method, lane(recording, evaluations[i].targets[t], style),
+                     story(recording, run.trajectory, evaluations[i], t)});
+  }
+  if (lines.empty()) return;
+  const std::string marks = ruler(recording, style);
+  const auto shown = static_cast<int>(columns_of(lane(recording, evaluations[0].targets[t], {style.columns})));
+  style.columns = shown;
+  const Target& target = recording.targets[t];
+  fmt::print("\n  target {}{}\n", target.id, target.code ? fmt::format(" ({})", to_string(*target.code)) : "");
+  for (const Line& line : lines) print_line(line, name_columns, style, width);
+  fmt::print("  {:{}}  {}\n", "", name_columns, marks);
+}
+
+}  // namespace
+
+int timeline(const TimelineArguments& arguments) {
+  const Gate gate = parse_gate(arguments.gate);
+  const Terminal out = terminal(stdout);
+  const TimelineStyle style{60, out.unicode && !arguments.ascii, out.colour && !arguments.ascii};
+  bool first = true;
+  auto all = read_results(arguments.folder);
+  for (StoredComparison& comparison : all) {
+    const ScoredComparison compared = scored(std::move(comparison), gate);
+    fmt::print("{}{}\n", first ? "" : "\n", heading(compared.stored, gate));
+    first = false;
+    for (std::size_t t = 0; t < compared.stored.recording.targets.size(); ++t)
+      print_target(compared, t, style, out.width);
+  }
+  fmt::print("\n  {}\n", legend(style));
+  return 0;
+}
+
+}  // namespace relock

@@ -1,0 +1,3 @@
+#pragma once
+#include "core/recording.h"
+#include "eval/definitions.h"

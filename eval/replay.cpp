@@ -1,0 +1,204 @@
+#include "eval/replay.h"
+
+#include <fmt/format.h>
+
+#include <ctime>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+
+#include "core/error.h"
+#include "eval/evaluation.h"
+
+namespace relock {
+namespace {
+
+constexpr double kMostOcclusionAtStart = 0.1;
+
+Duration process_cpu() {
+  std::timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return std::chrono::seconds(now.tv_sec) + Duration(now.tv_nsec);
+}
+
+/// Times what happens between its making and `cost`.
+class Stopwatch {
+ public:
+  FrameCost cost(FrameIndex frame) const {
+    return {frame, std::chrono::steady_clock::now() - wall_, process_cpu() - cpu_};
+  }
+
+ private:
+  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
+  Duration cpu_ = process_cpu();
+};
+
+void check_sighting(const Sighting& sighting, const Recording& recording) {
+  if (!finite(sighting.centre) || !well_formed(sighting.outline) || !std::isfinite(sighting.confidence))
+    throw Error("the answer is not finite or has no size");
+  if (sighting.track) {
+    const auto same = [&](const Target& target) { return target.id == *sighting.track; };
+    if (std::none_of(recording.targets.begin(), recording.targets.end(), same))
+      throw Error(fmt::format("the answer follows \"{}\", which is no target", *sighting.track));
+  }
+}
+
+/// One replay: which targets are started when, and what was said.
+class Run {
+ public:
+  Run(Method& method, const Recording& recording, const ReplayOptions& options)
+      : method_(method), recording_(recording), options_(options), starts_(first_startable(recording)),
+        watches_(recording.targets.size(), LockWatch(recording.period)) {
+    Trajectory& trajectory = result_.trajectory;
+    trajectory.reads_codes = options.reads_codes;
+    trajectory.judged_from.resize(targets());
+    trajectory.failed_from.resize(targets());
+    for (std::size_t t = 0; t < targets(); ++t)
+      if (asked(t)) trajectory.judged_from[t] = first_judged(t);
+  }
+
+  void show(const Frame& frame) {
+    FrameReport report;
+    Stopwatch watch;
+    start_what_is_due(frame, report);
+    ask(frame, report);
+    result_.costs.push_back(watch.cost(frame.index));
+    add(std::move(report));
+  }
+
+  void drop() { add(FrameReport{Delivery::dropped, {}, {}}); }
+  void cut_short(Failure why) { result_.cut_short = std::move(why); }
+  Replay result() && { return std::move(result_); }
+
+ private:
+  std::size_t targets() const { return recording_.targets.size(); }
+  bool asked(std::size_t t) const { return options_.asked.empty() || options_.asked[t]; }
+  bool hands_boxes() const { return options_.protocol != Protocol::detect && method_.takes_boxes(); }
+
+  /// The start frame is left out for methods that are handed no box, too: they are judged from the next one.
+  std::optional<FrameIndex> first_judged(std::size_t t) const {
+    if (options_.protocol == Protocol::detect) return 0;
+    if (!starts_[t]) return {};
+    return hands_boxes() ? *starts_[t] : *starts_[t] + 1;
+  }
+
+  bool start_is_due(std::size_t t, FrameIndex frame) const {
+    if (!asked(t) || failed(t) || !starts_[t]) return false;
+    if (frame == *starts_[t]) return true;
+    return options_.protocol == Protocol::reset && watches_[t].state() == State::Lost &&
+           startable(recording_, static_cast<std::size_t>(frame), t);
+  }
+
+  void start_what_is_due(const Frame& frame, FrameReport& report) {
+    if (!hands_boxes()) return;
+    for (std::size_t t = 0; t < targets(); ++t) {
+      if (!start_is_due(t, frame.index)) continue;
+      report.given.push_back(t);
+      const auto& truth = recording_.truth_of(static_cast<std::size_t>(frame.index), t);
+      try {
+        method_.start(frame, recording_.targets[t], bounds(*truth.outline));
+      } catch (const std::exception& fault) {
+        fail(t, frame.index, fault.what());
+      }
+    }
+  }
+
+  void ask(const Frame& frame, FrameReport& report) {
+    if (all_failed()) return;
+    try {
+      Sightings said = method_.locate(frame);
+      for (const Sighting& sighting : said) check_sighting(sighting, recording_);
+      report.sightings = std::move(said);
+    } catch (const std::exception& fault) {
+      for (std::size_t t = 0; t < targets(); ++t) mark_failed(t, frame.index);
+      result_.failures.push_back({frame.index, fault.what()});
+    }
+  }
+
+  bool failed(std::size_t t) const { return result_.trajectory.failed_from[t].has_value(); }
+  bool all_failed() const {
+    for (std::size_t t = 0; t < targets(); ++t)
+      if (asked(t) && !failed(t)) return false;
+    return true;
+  }
+  void mark_failed(std::size_t t, FrameIndex frame) {
+    if (!failed(t)) result_.trajectory.failed_from[t] = frame;
+  }
+  void fail(std::size_t t, FrameIndex frame, const std::string& why) {
+    mark_failed(t, frame);
+    result_.failures.push_back({frame, fmt::format("target {}: {}", recording_.targets[t].id, why)});
+  }
+
+  /// Writes the report down and, where losses are to be answered, follows the locks.
+  void add(FrameReport report) {
+    Trajectory& trajectory = result_.trajectory;
+    const std::size_t frame = trajectory.frames.size();
+    if (options_.protocol == Protocol::reset) {
+      const auto judged = judge_frame(recording_, frame, report, trajectory, options_.gate);
+      for (std::size_t t = 0; t < targets(); ++t)
+        watches_[t].observe(observation(recording_, frame, t, judged.targets[t], report.sightings));
+    }
+    trajectory.frames.push_back(std::move(report));
+    if (options_.progress) options_.progress(static_cast<FrameIndex>(frame));
+  }
+
+  Method& method_;
+  const Recording& recording_;
+  const ReplayOptions& options_;
+  std::vector<std::optional<FrameIndex>> starts_;
+  std::vector<LockWatch> watches_;
+  Replay result_;
+};
+
+}  // namespace
+
+std::string_view to_string(Protocol protocol) {
+  constexpr std::string_view names[] = {"once", "reset", "detect"};
+  return names[static_cast<std::size_t>(protocol)];
+}
+
+Protocol parse_protocol(std::string_view text) {
+  for (const Protocol protocol : {Protocol::once, Protocol::reset, Protocol::detect})
+    if (text == to_string(protocol)) return protocol;
+  throw Error(fmt::format("no protocol is called \"{}\"; there are once, reset and detect", text));
+}
+
+bool startable(const Recording& recording, std::size_t frame, std::size_t target) {
+  const TargetTruth& truth = recording.truth_of(frame, target);
+  if (truth.label != Label::visible || truth.occluded_fraction >= kMostOcclusionAtStart) return false;
+  const Box box = bounds(*truth.outline), picture = picture_box(recording.picture);
+  return box.x >= picture.x && box.y >= picture.y && box.right() <= picture.right() &&
+         box.bottom() <= picture.bottom();
+}
+
+std::vector<std::optional<FrameIndex>> first_startable(const Recording& recording) {
+  std::vector<std::optional<FrameIndex>> first(recording.targets.size());
+  for (std::size_t t = 0; t < first.size(); ++t)
+    for (std::size_t frame = 0; frame < recording.frames() && !first[t]; ++frame)
+      if (startable(recording, frame, t)) first[t] = static_cast<FrameIndex>(frame);
+  return first;
+}
+
+Replay replay(Method& method, FrameSource& source, const Recording& recording, const Schedule& schedule,
+              const ReplayOptions& options) {
+  Run run(method, recording, options);
+  while (const auto stamp = source.next()) {
+    if (!schedule.delivered(static_cast<std::size_t>(stamp->index))) {
+      run.drop();
+      continue;
+    }
+    Image image;
+    try {
+      image = source.image();
+    } catch (const Error& fault) {
+      run.cut_short({stamp->index, fault.what()});
+      break;
+    }
+    run.show({stamp->index, stamp->captured, image});
+  }
+  return std::move(run).result();
+}
+
+}  // namespace relock

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/frame_source.h"
+#include "core/method.h"
+#include "core/schedule.h"
+#include "eval/verdict.h"
+
+namespace relock {
+
+/// How a method is started and what happens after a loss (metrics.md section 5).
+enum class Protocol : std::uint8_t {
+  once,    ///< from the true box on the first startable frame; recovery is the method's own business
+  reset,   ///< likewise; once a loss is declared, started again on the next startable frame
+  detect,  ///< no start: every frame on its own
+};
+std::string_view to_string(Protocol protocol);
+/// Throws Error when `text` is none of them.
+Protocol parse_protocol(std::string_view text);
+
+/// Whether a method may be handed the target here: visible, fully in the picture, occluded by less than 10 %.
+bool startable(const Recording& recording, std::size_t frame, std::size_t target);
+/// For each target the first startable frame; nothing where there is none.
+std::vector<std::optional<FrameIndex>> first_startable(const Recording& recording);
+
+/// What it cost to ask the method about one frame, starts included.
+struct FrameCost {
+  FrameIndex frame = 0;
+  Duration wall{0};
+  Duration cpu{0};  ///< of the whole process
+};
+
+/// A method that threw, and where.
+struct Failure {
+  FrameIndex frame = 0;
+  std::string what;
+};
+
+struct Replay {
+  Trajectory trajectory;
+  std::vector<FrameCost> costs;     ///< of every delivered frame that the method was asked about
+  std::vector<Failure> failures;    ///< of a start (its target only) or an answer (all targets, for good)
+  /// The recording itself could not be read on from here: the trajectory ends before this frame.
+  std::optional<Failure> cut_short;
+};
+
+struct ReplayOptions {
+  Protocol protocol = Protocol::once;
+  Gate gate;                       ///< by which `reset` judges losses
+  bool reads_codes = false;        ///< as the method's registry entry declares
+  std::vector<bool> asked;         ///< targets that the method is asked about; empty: all
+  std::function<void(FrameIndex)> progress;  ///< called after every recorded frame, if given
+};
+
+/// Shows the delivered frames to the method in order and writes down what it says. A method that throws is
+/// scored as failed from there on, never left out; a source that throws cuts the replay short.
+Replay replay(Method& method, FrameSource& source, const Recording& recording, const Schedule& schedule,
+              const ReplayOptions& options);
+
+}  // namespace relock

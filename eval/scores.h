@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "eval/evaluation.h"
+#include "eval/localization.h"
+
+namespace relock {
+
+/// Time to recover from a loss: Kaplan-Meier over all losses, censored where they were not ended by a recovery.
+struct Recovery {
+  std::size_t losses = 0;
+  std::size_t recovered = 0;
+  std::optional<double> median_s, p90_s;  ///< empty: beyond the follow-up
+  double follow_up_s = 0;                 ///< longest time a loss was watched
+  /// Probability of recovery within 0.5, 1 and 5 s; empty past the follow-up unless no loss is left.
+  std::array<std::optional<double>, 3> within;
+};
+
+/// The scores of metrics.md section 6 that rest on verdicts and events. An empty value is n/a.
+struct Scores {
+  std::array<std::size_t, kVerdicts> verdicts{};  ///< frames of each verdict; they add up to the frames
+  std::size_t frames = 0;                         ///< recorded frames, times targets
+  std::size_t uncoded = 0;                        ///< Hits by place of a method that reads codes
+  std::size_t failed = 0;                         ///< Misses after a crash or time-out
+  std::size_t spurious = 0;                       ///< sightings of nothing; only in the pooled scores
+  std::size_t ignored = 0;                        ///< sightings of what was not judged; only in the pooled scores
+
+  std::optional<double> recognition;        ///< Hits / visible frames not NotStarted, Given or Dropped
+  std::optional<double> precision;          ///< Hits / all sightings that were judged
+  double visible_s = 0;                     ///< visible time = locked + lost + searching
+  double locked_s = 0, lost_s = 0, searching_s = 0;
+  std::optional<double> availability;          ///< share of visible time with a Hit at most 0.1 s old
+  std::optional<double> availability_ceiling;  ///< of a Hit on every frame that could have one
+  std::optional<double> availability_of_ceiling;
+  std::optional<double> locked_share;
+  std::optional<double> locked_share_ceiling;
+  std::optional<double> locked_share_of_ceiling;
+  std::size_t losses = 0;
+  std::array<std::size_t, kLossKinds> losses_by_kind{};
+  std::optional<double> losses_per_minute;           ///< of locked time
+  std::optional<double> mean_time_between_losses_s;  ///< locked time / losses
+  Recovery recovery;
+  Localization localization;
+};
+
+/// Scores with frames and times of all targets pooled, and each target's own beside them.
+struct ScoreSheet {
+  Scores pooled;
+  std::vector<Scores> targets;
+};
+ScoreSheet score(const Recording& recording, const Trajectory& trajectory, const Evaluation& evaluation);
+
+/// How long a loss was watched: from the early end of its onset to its end, whatever that was.
+Duration loss_time(const Recording& recording, const Loss& loss);
+
+/// Recovery within these times is told, s.
+constexpr std::array<double, 3> kRecoveredWithin_s{0.5, 1, 5};
+
+}  // namespace relock

@@ -1,0 +1,236 @@
+#include "eval/timeline_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "eval/circumstances.h"
+#include "eval/localization.h"
+#include "eval/scores.h"
+
+namespace relock {
+namespace {
+
+struct Glyph {
+  std::string_view block;   // in place of the letter, where the terminal has Unicode
+  std::string_view colour;  // ANSI; Okabe and Ito's colours, told apart by the colour-blind too
+  std::string_view meaning;
+  int badness;              // the worse of two verdicts stands for a column that holds both equally often
+};
+constexpr std::array<Glyph, kVerdicts> kGlyphs{{{" ", "", "not started", 0},
+                                                {"·", "\x1b[90m", "no frame", 1},
+                                                {"-", "\x1b[90m", "skipped", 2},
+                                                {"▼", "\x1b[1m", "given", 3},
+                                                {"?", "\x1b[90m", "unlabelled", 1},
+                                                {"█", "\x1b[38;5;36m", "Hit", 4},
+                                                {"✖", "\x1b[38;5;175m", "WrongId", 8},
+                                                {"▒", "\x1b[38;5;166m", "Stray", 9},
+                                                {"▁", "\x1b[38;5;32m", "Miss", 7},
+                                                {"!", "\x1b[38;5;175m", "FalseAlarm", 6},
+                                                {"░", "\x1b[90m", "CorrectReject", 5}}};
+
+/// Slot of every recorded frame, the first one's being 0.
+std::vector<std::int64_t> slots_of_frames(const Recording& recording) {
+  std::vector<std::int64_t> all{0};
+  for (std::size_t i = 1; i < recording.frames(); ++i)
+    all.push_back(all.back() + slots(recording.captured[i] - recording.captured[i - 1], recording.period));
+  return all;
+}
+
+/// Maps slots to the lane's columns.
+struct Columns {
+  std::int64_t slots, columns;
+  std::int64_t of(std::int64_t slot) const { return slot * columns / slots; }
+};
+
+Columns columns_of(const std::vector<std::int64_t>& frame_slots, const TimelineStyle& style) {
+  const std::int64_t slots = frame_slots.back() + 1;
+  return {slots, std::min<std::int64_t>(slots, std::max(1, style.columns))};
+}
+
+Verdict most_frequent(const std::array<int, kVerdicts>& count) {
+  std::size_t best = 0;
+  for (std::size_t v = 1; v < kVerdicts; ++v) {
+    if (count[v] > count[best] || (count[v] == count[best] && kGlyphs[v].badness > kGlyphs[best].badness)) best = v;
+  }
+  return static_cast<Verdict>(best);
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  if (words.empty()) return "";
+  std::string text = words[0];
+  for (std::size_t i = 1; i < words.size(); ++i) text += (i + 1 == words.size() ? " and " : ", ") + words[i];
+  return text;
+}
+
+std::string how_lost(LossKind kind) {
+  switch (kind) {
+    case LossKind::Silent: return "lost silently";
+    case LossKind::WrongId: return "taken for another";
+    case LossKind::Drift: return "drifted off";
+    case LossKind::Declared: break;
+  }
+  return "lost, and said so,";
+}
+
+std::string how_ended(const Recording& recording, const Loss& loss) {
+  const double watched = seconds(loss_time(recording, loss));
+  switch (loss.end) {
+    case LossEnd::recovered: return fmt::format("recovered in {:.2f} s", watched);
+    case LossEnd::chance: return fmt::format("the target came back to it by chance after {:.2f} s", watched);
+    case LossEnd::target_left: return fmt::format("not recovered in the {:.2f} s before the target left", watched);
+    case LossEnd::reset: return fmt::format("started again after {:.2f} s", watched);
+    case LossEnd::labels_stopped: return fmt::format("not recovered in the {:.2f} s before labels stop", watched);
+    case LossEnd::recording_stopped: break;
+  }
+  return fmt::format("not recovered in {:.2f} s", watched);
+}
+
+class Story {
+ public:
+  Story(const Recording& recording, const Trajectory& trajectory, const Evaluation& evaluation,
+        std::size_t target)
+      : recording_(recording), trajectory_(trajectory), timeline_(evaluation.targets[target]), target_(target) {}
+
+  std::string tell() const {
+    if (!trajectory_.judged_from[target_]) return "not asked";
+    std::string text;
+    if (timeline_.losses.empty()) {
+      text = never_lost();
+    } else if (timeline_.losses.size() == 1) {
+      text = one_loss(timeline_.losses[0]);
+    } else {
+      text = several_losses();
+    }
+    if (const auto& failed = trajectory_.failed_from[target_]) text += fmt::format("; failed at {:.2f} s", at(*failed));
+    return text;
+  }
+
+ private:
+  double at(FrameIndex frame) const {
+    return seconds(recording_.captured[static_cast<std::size_t>(frame)] - recording_.captured.front());
+  }
+
+  std::string never_lost() const {
+    const bool locked = std::find(timeline_.states.begin(), timeline_.states.end(), State::Locked) !=
+                        timeline_.states.end();
+    if (!locked) return "never locked";
+    if (!timeline_.acquisitions.empty() && timeline_.acquisitions[0].locked_at) {
+      const auto& search = timeline_.acquisitions[0];
+      const double waited = at(*search.locked_at) - at(search.from);
+      if (waited > 0) return fmt::format("found after {:.2f} s and kept", waited);
+    }
+    return "kept throughout";
+  }
+
+  std::string one_loss(const Loss& loss) const {
+    const Circumstances c = circumstances(recording_, trajectory_, target_, loss);
+    if (c.slots < 2)
+      return fmt::format("{} at {:.2f} s; {}", how_lost(loss.kind), at(loss.last_good), how_ended(recording_, loss));
+    return fmt::format("{} at {:.2f}-{:.2f} s, over a gap of {} slots; {}", how_lost(loss.kind),
+                       at(loss.last_good), at(loss.first_lost), c.slots, how_ended(recording_, loss));
+  }
+
+  std::string several_losses() const {
+    std::vector<double> recovered;
+    std::size_t restarted = 0;
+    for (const Loss& loss : timeline_.losses) {
+      if (loss.end == LossEnd::recovered) recovered.push_back(seconds(loss_time(recording_, loss)));
+      if (loss.end == LossEnd::reset) ++restarted;
+    }
+    const std::size_t losses = timeline_.losses.size(), open = losses - recovered.size() - restarted;
+    std::string text = fmt::format("{} losses", losses);
+    if (!recovered.empty())
+      text += fmt::format(", {}recovered in {}", recovered.size() == losses ? "" : fmt::format("{} ", recovered.size()),
+                          times(recovered));
+    if (restarted > 0) text += fmt::format(", {} started again", restarted);
+    if (open > 0) text += fmt::format(", {} not recovered", open);
+    return text;
+  }
+
+  static std::string times(const std::vector<double>& all) {
+    if (all.size() > 3)
+      return fmt::format("{:.2f} s (median; longest {:.2f} s)", percentile(all, 0.5),
+                         *std::max_element(all.begin(), all.end()));
+    std::vector<std::string> words;
+    for (const double time : all) words.push_back(fmt::format("{:.2f} s", time));
+    return joined(words);
+  }
+
+  const Recording& recording_;
+  const Trajectory& trajectory_;
+  const TargetTimeline& timeline_;
+  std::size_t target_;
+};
+
+void append_glyph(std::string& text, Verdict verdict, const TimelineStyle& style) {
+  const Glyph& glyph = kGlyphs[static_cast<std::size_t>(verdict)];
+  const bool coloured = style.colour && !glyph.colour.empty();
+  if (coloured) text += glyph.colour;
+  if (style.unicode) {
+    text += glyph.block;
+  } else {
+    text += letter(verdict);
+  }
+  if (coloured) text += "\x1b[0m";
+}
+
+}  // namespace
+
+std::string lane(const Recording& recording, const TargetTimeline& timeline, const TimelineStyle& style) {
+  const auto frame_slots = slots_of_frames(recording);
+  const Columns columns = columns_of(frame_slots, style);
+  std::vector<std::array<int, kVerdicts>> counts(static_cast<std::size_t>(columns.columns));
+  std::int64_t next_slot = 0;
+  for (std::size_t frame = 0; frame < recording.frames(); ++frame) {
+    for (; next_slot < frame_slots[frame]; ++next_slot)  // not recorded
+      ++counts[static_cast<std::size_t>(columns.of(next_slot))][static_cast<std::size_t>(Verdict::Dropped)];
+    const auto verdict = static_cast<std::size_t>(timeline.judgements[frame].verdict);
+    ++counts[static_cast<std::size_t>(columns.of(next_slot++))][verdict];
+  }
+  std::string text;
+  for (const auto& count : counts) append_glyph(text, most_frequent(count), style);
+  return text;
+}
+
+std::string ruler(const Recording& recording, const TimelineStyle& style) {
+  const auto frame_slots = slots_of_frames(recording);
+  const Columns columns = columns_of(frame_slots, style);
+  const double seconds_per_column =
+      seconds(recording.period) * static_cast<double>(columns.slots) / static_cast<double>(columns.columns);
+  // The smallest round step that leaves room for a label.
+  double step = 0.1;
+  for (const double factor : {2.0, 2.5, 2.0}) step *= step / seconds_per_column < 10 ? factor : 1.0;
+  while (step / seconds_per_column < 10) step *= 2;
+  std::string text(static_cast<std::size_t>(columns.columns), ' ');
+  for (int mark = 0;; ++mark) {
+    const auto column = static_cast<std::size_t>(std::llround(mark * step / seconds_per_column));
+    if (column >= text.size()) break;
+    const std::string label = mark == 0 ? "|0 s" : fmt::format("|{:.3g}", mark * step);
+    if (column + label.size() > text.size() + 4) break;
+    if (column + label.size() > text.size()) text.resize(column + label.size(), ' ');
+    text.replace(column, label.size(), label);
+  }
+  return text;
+}
+
+std::string legend(const TimelineStyle& style) {
+  std::string text;
+  for (const Verdict v : {Verdict::Given, Verdict::Hit, Verdict::Stray, Verdict::Miss, Verdict::WrongId,
+                          Verdict::Dropped, Verdict::FalseAlarm, Verdict::CorrectReject, Verdict::Unlabelled}) {
+    if (!text.empty()) text += "  ";
+    append_glyph(text, v, style);
+    text += fmt::format(" {}", kGlyphs[static_cast<std::size_t>(v)].meaning);
+  }
+  return text;
+}
+
+std::string story(const Recording& recording, const Trajectory& trajectory, const Evaluation& evaluation,
+                  std::size_t target) {
+  return Story(recording, trajectory, evaluation, target).tell();
+}
+
+}  // namespace relock

@@ -1,0 +1,177 @@
+#include "sequences/image_folder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+
+#include "core/error.h"
+#include "core/opencv.h"
+#include "sequences/timestamps.h"
+
+namespace relock {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Natural order: frame2 before frame10.
+bool before_by_name(const fs::path& a, const fs::path& b) {
+  const std::string p = a.filename().string(), q = b.filename().string();
+  std::size_t i = 0, j = 0;
+  const auto digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  const auto number_end = [&](const std::string& s, std::size_t at) {
+    while (at < s.size() && digit(s[at])) ++at;
+    return at;
+  };
+  while (i < p.size() && j < q.size()) {
+    if (digit(p[i]) && digit(q[j])) {
+      while (i < p.size() && p[i] == '0') ++i;
+      while (j < q.size() && q[j] == '0') ++j;
+      const std::size_t pe = number_end(p, i), qe = number_end(q, j);
+      if (pe - i != qe - j) return pe - i < qe - j;
+      if (const int order = p.compare(i, pe - i, q, j, qe - j); order != 0) return order < 0;
+      i = pe, j = qe;
+    } else if (p[i] != q[j]) {
+      return p[i] < q[j];
+    } else {
+      ++i, ++j;
+    }
+  }
+  if ((p.size() - i) != (q.size() - j)) return p.size() - i < q.size() - j;
+  return p < q;
+}
+
+std::vector<fs::path> pictures_in(const fs::path& folder) {
+  std::vector<fs::path> all;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file() && is_picture(entry.path())) all.push_back(entry.path());
+  std::sort(all.begin(), all.end(), before_by_name);
+  return all;
+}
+
+std::vector<fs::path> named_pictures(const fs::path& folder, const std::vector<std::string>& names) {
+  std::vector<fs::path> all;
+  for (const std::string& name : names) all.push_back(folder / name);
+  return all;
+}
+
+std::vector<Time> steady_times(std::size_t frames, Duration period) {
+  std::vector<Time> times;
+  for (std::size_t i = 0; i < frames; ++i) times.push_back(Time{static_cast<std::int64_t>(i) * period});
+  return times;
+}
+
+/// Times at a stated rate: rounded each by itself, so that no rounding adds up.
+std::vector<Time> steady_times(std::size_t frames, double rate_hz) {
+  std::vector<Time> times;
+  for (std::size_t i = 0; i < frames; ++i) times.push_back(Time{from_seconds(static_cast<double>(i) / rate_hz)});
+  return times;
+}
+
+class ImageFolder final : public FrameSource {
+ public:
+  ImageFolder(std::vector<fs::path> pictures, std::vector<Time> captured)
+      : pictures_(std::move(pictures)), captured_(std::move(captured)) {
+    decode(0);
+    size_ = {decoded_.cols, decoded_.rows};
+  }
+
+  std::span<const Time> captured() const override { return captured_; }
+  Size picture_size() const override { return size_; }
+
+  std::optional<FrameStamp> next() override {
+    if (next_ >= pictures_.size()) return {};
+    const std::size_t index = next_++;
+    return FrameStamp{static_cast<FrameIndex>(index), captured_[index]};
+  }
+
+  Image image() override {
+    const std::size_t index = next_ - 1;
+    if (decoded_index_ != index) decode(index);
+    if (decoded_.cols != size_.width || decoded_.rows != size_.height)
+      throw Error(fmt::format("{}: this picture is {}x{} and the first one {}x{}; all must be of one size",
+                              pictures_[index].string(), decoded_.cols, decoded_.rows, size_.width,
+                              size_.height));
+    return view(decoded_);
+  }
+
+ private:
+  /// Reads and decodes into buffers that are used again for every picture.
+  void decode(std::size_t index) {
+    const std::string name = pictures_[index].string();
+    std::ifstream in(pictures_[index], std::ios::binary | std::ios::ate);
+    if (!in) throw Error(fmt::format("{}: this picture cannot be opened", name));
+    bytes_.resize(static_cast<std::size_t>(in.tellg()));
+    in.seekg(0).read(reinterpret_cast<char*>(bytes_.data()), static_cast<std::streamsize>(bytes_.size()));
+    if (!in || bytes_.empty() || cut_off_jpeg())
+      throw Error(fmt::format("{}: this picture is cut off after {} bytes", name, bytes_.size()));
+    decoded_index_ = static_cast<std::size_t>(-1);
+    try {
+      cv::imdecode(bytes_, cv::IMREAD_ANYCOLOR, &decoded_);
+    } catch (const cv::Exception&) {
+      decoded_.release();
+    }
+    if (decoded_.empty()) throw Error(fmt::format("{}: this is no picture that can be read", name));
+    decoded_index_ = index;
+  }
+
+  /// libjpeg fills what is missing with grey and says nothing that can be asked: the end marker tells.
+  bool cut_off_jpeg() const {
+    if (bytes_.size() < 4 || bytes_[0] != 0xFF || bytes_[1] != 0xD8) return false;
+    const std::size_t tail = std::min<std::size_t>(bytes_.size(), 1024);  // cameras pad behind the marker
+    for (std::size_t i = bytes_.size() - tail; i + 1 < bytes_.size(); ++i)
+      if (bytes_[i] == 0xFF && bytes_[i + 1] == 0xD9) return false;
+    return true;
+  }
+
+  std::vector<fs::path> pictures_;
+  std::vector<Time> captured_;
+  Size size_;
+  std::size_t next_ = 0;
+  std::size_t decoded_index_ = static_cast<std::size_t>(-1);
+  std::vector<std::uint8_t> bytes_;
+  cv::Mat decoded_;
+};
+
+}  // namespace
+
+bool is_picture(const fs::path& path) {
+  static const std::vector<std::string> endings{".jpg", ".jpeg", ".png", ".bmp", ".pgm",
+                                                ".ppm", ".tif",  ".tiff", ".webp"};
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+std::unique_ptr<FrameSource> open_image_folder(const fs::path& folder, const Description& description,
+                                               std::optional<double> rate_hz) {
+  if (!fs::exists(folder)) throw Error(fmt::format("{} does not exist", folder.string()));
+  if (!fs::is_directory(folder))
+    throw Error(fmt::format("{} is no folder; a recording is a folder of pictures", folder.string()));
+  const fs::path images = fs::is_directory(folder / "images") ? folder / "images" : folder;
+  auto pictures = pictures_in(images);
+  std::vector<Time> captured;
+  if (const auto path = folder / "timestamps.csv"; fs::exists(path)) {
+    auto stamps = read_timestamps(path);
+    if (!stamps.files.empty()) pictures = named_pictures(images, stamps.files);
+    if (stamps.captured.size() != pictures.size())
+      throw Error(fmt::format("{}: there are {} times for {} pictures in {}", path.string(),
+                              stamps.captured.size(), pictures.size(), images.string()));
+    captured = std::move(stamps.captured);
+  } else if (rate_hz) {
+    captured = steady_times(pictures.size(), *rate_hz);
+  } else if (description.period) {
+    captured = steady_times(pictures.size(), *description.period);
+  }
+  if (pictures.empty()) throw Error(fmt::format("{} holds no pictures", images.string()));
+  if (captured.empty())
+    throw Error(fmt::format("{} says nothing of time: add timestamps.csv, or rate_hz to recording.toml, or "
+                            "--rate",
+                            folder.string()));
+  return std::make_unique<ImageFolder>(std::move(pictures), std::move(captured));
+}
+
+}  // namespace relock

@@ -1,0 +1,144 @@
+#include "sequences/open.h"
+
+#include <fmt/format.h>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "core/error.h"
+#include "sequences/image_folder.h"
+#include "sequences/timestamps.h"
+
+namespace relock {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::ifstream open_file(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in || fs::is_directory(path)) throw Error(fmt::format("{} cannot be read", path.string()));
+  return in;
+}
+
+/// A hash of files' bytes and of words, order included (XXH3, 128 bits).
+class Fingerprint {
+ public:
+  void add(std::string_view bytes) {
+    const std::uint64_t size = bytes.size();
+    XXH3_128bits_update(&state_, &size, sizeof size);
+    XXH3_128bits_update(&state_, bytes.data(), bytes.size());
+  }
+  void add_file(const fs::path& path) {
+    std::ifstream in = open_file(path);
+    std::array<char, 1 << 16> buffer;
+    while (in.read(buffer.data(), buffer.size()) || in.gcount() > 0)
+      XXH3_128bits_update(&state_, buffer.data(), static_cast<std::size_t>(in.gcount()));
+    add(path.filename().string());
+  }
+  std::string text() const {
+    const XXH128_hash_t hash = XXH3_128bits_digest(&state_);
+    return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+  }
+
+ private:
+  static XXH3_state_t fresh() {
+    XXH3_state_t state;
+    XXH3_INITSTATE(&state);
+    XXH3_128bits_reset(&state);
+    return state;
+  }
+  XXH3_state_t state_ = fresh();
+};
+
+/// Every file of the recording, the labels in use, and the capture times.
+std::string fingerprint(const fs::path& folder, const fs::path& labels, const Recording& recording) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && is_picture(entry.path())) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  Fingerprint print;
+  for (const fs::path& file : files) print.add_file(file);
+  if (fs::exists(labels)) print.add_file(labels);
+  for (const Time time : recording.captured) print.add(std::to_string(ns(time)));
+  for (const Target& target : recording.targets) {
+    print.add(target.id);
+    print.add(target.code ? to_string(*target.code) : "");
+  }
+  return print.text();
+}
+
+Duration period_of_recording(const Description& description, const OpenOptions& options,
+                             std::span<const Time> captured) {
+  if (options.rate_hz) return period_of(*options.rate_hz);
+  if (description.period) return *description.period;
+  return nominal_period(captured);
+}
+
+}  // namespace
+
+Sequence open_sequence(const fs::path& path, const OpenOptions& options) {
+  if (options.rate_hz && !(*options.rate_hz > 0 && std::isfinite(*options.rate_hz)))
+    throw Error(fmt::format("a rate of {} Hz is none; it must be above 0", *options.rate_hz));
+  if (!fs::is_directory(path)) open_image_folder(path, {}, options.rate_hz);  // says what is wrong
+  const Description description = read_description(path);
+  auto source = open_image_folder(path, description, options.rate_hz);
+
+  Sequence sequence;
+  sequence.recording.name = description.name;
+  sequence.recording.picture = source->picture_size();
+  sequence.recording.captured.assign(source->captured().begin(), source->captured().end());
+  sequence.period_stated = options.rate_hz || description.period;
+  sequence.recording.period = period_of_recording(description, options, source->captured());
+  sequence.median_interval =
+      source->captured().size() > 1 ? median_interval(source->captured()) : sequence.recording.period;
+
+  const fs::path labels = options.labels.value_or(path / "labels.csv");
+  if (options.labels || fs::exists(labels)) {
+    std::ifstream in = open_file(labels);
+    read_labels(in, labels.string(), description, options.limits, sequence.recording);
+  }
+  sequence.fingerprint = fingerprint(path, labels, sequence.recording);
+  sequence.frames = [path, description, options] {
+    return open_image_folder(path, description, options.rate_hz);
+  };
+  return sequence;
+}
+
+void write_truth(const fs::path& folder, const Recording& recording) {
+  std::ofstream toml(folder / "recording.toml", std::ios::binary);
+  toml << fmt::format("name = '{}'\nperiod_ns = {}\nwidth = {}\nheight = {}\n", recording.name,
+                      recording.period.count(), recording.picture.width, recording.picture.height);
+  for (const Target& target : recording.targets) {
+    toml << fmt::format("\n[[target]]\nid = '{}'\n", target.id);
+    if (target.code) toml << fmt::format("code = '{}'\n", to_string(*target.code));
+    if (target.size_m) toml << fmt::format("size_m = {}\n", *target.size_m);
+  }
+  std::ofstream times(folder / "timestamps.csv", std::ios::binary);
+  write_timestamps(times, recording.captured);
+  std::ofstream labels(folder / "labels.csv", std::ios::binary);
+  write_labels(labels, recording);
+  if (!toml.flush() || !times.flush() || !labels.flush())
+    throw Error(fmt::format("{} cannot be written; is the disk full?", folder.string()));
+}
+
+Recording read_truth(const fs::path& folder) {
+  const Description description = read_description(folder);
+  if (!description.picture || !description.period)
+    throw Error(fmt::format("{} must state width, height and period_ns", (folder / "recording.toml").string()));
+  Recording recording;
+  recording.name = description.name;
+  recording.picture = *description.picture;
+  recording.period = *description.period;
+  recording.captured = read_timestamps(folder / "timestamps.csv").captured;
+  const fs::path labels = folder / "labels.csv";
+  std::ifstream in = open_file(labels);
+  read_labels(in, labels.string(), description, {}, recording);
+  return recording;
+}
+
+}  // namespace relock

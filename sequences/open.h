@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/frame_source.h"
+#include "core/recording.h"
+#include "sequences/labels.h"
+
+namespace relock {
+
+/// A recording opened from disk: its truth, and as many passes over its frames as are asked for.
+struct Sequence {
+  Recording recording;
+  Duration median_interval{};  ///< of all capture intervals; the period where there is one frame
+  bool period_stated = false;  ///< the period was stated, not found from the capture times
+  std::string fingerprint;     ///< of pictures, times and labels: the same inputs, the same text
+  std::function<std::unique_ptr<FrameSource>()> frames;  ///< a new pass from the first frame
+};
+
+struct OpenOptions {
+  std::optional<std::filesystem::path> labels = {};  ///< else FOLDER/labels.csv; without either, no targets
+  std::optional<double> rate_hz = {};                ///< for recordings that state no times
+  LabelLimits limits = {};
+};
+
+/// Opens the recording at `path`. Throws Error when it is none, or its labels are of another recording.
+Sequence open_sequence(const std::filesystem::path& path, const OpenOptions& options = {});
+
+/// Writes everything about a recording but its pictures into `folder`, which exists: recording.toml,
+/// timestamps.csv and labels.csv.
+void write_truth(const std::filesystem::path& folder, const Recording& recording);
+/// Reads what `write_truth` wrote.
+Recording read_truth(const std::filesystem::path& folder);
+
+}  // namespace relock

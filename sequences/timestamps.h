@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "core/time.h"
+
+namespace relock {
+
+// timestamps.csv: a header, then one row for each recorded frame, in order. Columns:
+//   timestamp_ns   capture time, whole nanoseconds from any epoch
+//   file           name of the frame's picture; may be left out: pictures are then taken in order of name
+
+struct Timestamps {
+  std::vector<Time> captured;
+  std::vector<std::string> files;  ///< empty when the file does not name them
+};
+
+/// Throws Error with file and line on a time that repeats or goes backwards.
+Timestamps read_timestamps(std::istream& in, const std::string& file);
+Timestamps read_timestamps(const std::filesystem::path& path);
+
+void write_timestamps(std::ostream& out, const std::vector<Time>& captured);
+
+}  // namespace relock
