@@ -45,8 +45,9 @@ ChosenMethod choose_tracker(const TrackerEntry& entry, const MethodSpec& spec) {
   chosen.deterministic = entry.deterministic;
   entry.make(options, 0);
   chosen.make = [&entry, options](const Recording&, std::uint64_t seed) {
-    return track_from_box(
-        [&entry, options, seed](std::uint64_t start) { return entry.make(options, Random(seed).fork(start).next()); });
+    return track_from_box([&entry, options, seed](std::uint64_t start) {
+      return entry.make(options, Random(seed).fork(start).next());
+    });
   };
   return chosen;
 }
@@ -88,7 +89,8 @@ std::vector<ChosenMethod> yardsticks(const Methods& methods, bool with_start,
                                      const std::vector<ChosenMethod>& chosen) {
   std::vector<ChosenMethod> all;
   for (const std::string& name : kYardsticks) {
-    if (std::any_of(chosen.begin(), chosen.end(), [&](const ChosenMethod& c) { return c.text == name; })) continue;
+    if (std::any_of(chosen.begin(), chosen.end(), [&](const ChosenMethod& c) { return c.text == name; }))
+      continue;
     ChosenMethod yardstick = choose(methods, {name, {}});
     if (with_start || !yardstick.needs_start) all.push_back(std::move(yardstick));
   }

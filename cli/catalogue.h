@@ -18,7 +18,7 @@ struct ChosenMethod {
   std::string text;                            ///< as it would be typed; names its results
   std::map<std::string, std::string> options;  ///< all of them, defaults too
   bool yardstick = false;
-  bool needs_start = false;      ///< without a box it never answers: not for protocol detect
+  bool needs_start = false;  ///< without a box it never answers: not for protocol detect
   bool reads_codes = false;
   bool deterministic = true;
   std::vector<std::string> reads;  ///< families of the codes it reads; empty: asked about every target

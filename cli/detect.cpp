@@ -41,7 +41,8 @@ Json to_json(const Sighting& s) {
           {"centre_kind", to_string(s.centre_kind)},
           {"outline", to_json(s.outline)},
           {"confidence", s.confidence},
-          {"blur", s.blur ? Json{{"direction_rad", s.blur->direction_rad}, {"length_px", s.blur->length_px}} : Json()}};
+          {"blur", s.blur ? Json{{"direction_rad", s.blur->direction_rad}, {"length_px", s.blur->length_px}}
+                          : Json()}};
 }
 
 struct Detection {
@@ -54,8 +55,11 @@ struct Detection {
 void print_json(const Detection& d) {
   Json sightings = Json::array();
   for (const Sighting& s : d.sightings) sightings.push_back(to_json(s));
-  const Json line{{"image", d.image},           {"width", d.size.width}, {"height", d.size.height},
-                  {"sightings", sightings}, {"ms", std::round(d.ms * 1000) / 1000}};
+  const Json line{{"image", d.image},
+                  {"width", d.size.width},
+                  {"height", d.size.height},
+                  {"sightings", sightings},
+                  {"ms", std::round(d.ms * 1000) / 1000}};
   fmt::print("{}\n", line.dump());
 }
 
@@ -63,8 +67,8 @@ void print_text(const Detection& d) {
   if (d.sightings.empty()) fmt::print("{}: nothing ({:.1f} ms)\n", d.image, d.ms);
   for (const Sighting& s : d.sightings)
     fmt::print("{}: {} at {:.2f}, {:.2f}, size {:.1f} px, confidence {:.2f} ({:.1f} ms)\n", d.image,
-               s.code ? to_string(*s.code) : "something", s.centre.x, s.centre.y, size_of(s.outline), s.confidence,
-               d.ms);
+               s.code ? to_string(*s.code) : "something", s.centre.x, s.centre.y, size_of(s.outline),
+               s.confidence, d.ms);
 }
 
 cv::Point to_point(Vec2 v, int shift) {
@@ -88,8 +92,8 @@ void draw_outline(cv::Mat& picture, const Outline& outline, const cv::Scalar& co
     corners = {{{b.x, b.y}, {b.right(), b.y}, {b.right(), b.bottom()}, {b.x, b.bottom()}}};
   }
   for (std::size_t i = 0; i < 4; ++i)
-    cv::line(picture, to_point(corners[i], shift), to_point(corners[(i + 1) % 4], shift), colour, 1, cv::LINE_AA,
-             shift);
+    cv::line(picture, to_point(corners[i], shift), to_point(corners[(i + 1) % 4], shift), colour, 1,
+             cv::LINE_AA, shift);
 }
 
 cv::Mat drawn(cv::Mat picture, const Sightings& sightings) {
@@ -119,7 +123,8 @@ void write_drawing(const std::filesystem::path& path, const cv::Mat& picture) {
     written = cv::imwrite(path.string(), picture);
   } catch (const cv::Exception&) {  // an ending that OpenCV does not know
   }
-  if (!written) throw Error(fmt::format("{} cannot be written; give a name that ends in .png or .jpg", path.string()));
+  if (!written)
+    throw Error(fmt::format("{} cannot be written; give a name that ends in .png or .jpg", path.string()));
 }
 
 }  // namespace
@@ -134,11 +139,13 @@ int detect(const DetectArguments& arguments, const Methods& methods) {
     const std::string name = arguments.images[i].string();
     const cv::Mat picture = cv::imread(name, cv::IMREAD_ANYCOLOR);
     if (picture.empty())
-      throw Error(fmt::format("{} {}", name, std::filesystem::exists(name) ? "is no picture that can be read"
-                                                                          : "does not exist"));
+      throw Error(
+          fmt::format("{} {}", name,
+                      std::filesystem::exists(name) ? "is no picture that can be read" : "does not exist"));
     const auto begun = std::chrono::steady_clock::now();
     Detection detection{name, {picture.cols, picture.rows}, detector->detect(view(picture)), 0};
-    detection.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+    detection.ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
     arguments.json ? print_json(detection) : print_text(detection);
     if (arguments.draw) write_drawing(drawing_path(*arguments.draw, i), drawn(picture, detection.sightings));
   }

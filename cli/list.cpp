@@ -18,7 +18,8 @@ struct Row {
 
 std::vector<Row> rows(const Methods& methods) {
   std::vector<Row> all;
-  for (const auto& d : methods.detectors.entries()) all.push_back({"detector", d.name, d.sentence, d.options});
+  for (const auto& d : methods.detectors.entries())
+    all.push_back({"detector", d.name, d.sentence, d.options});
   for (const auto& t : methods.trackers.entries()) {
     const bool yardstick = t.name == "still" || t.name == "linear";
     const std::string sentence = t.sentence + (t.deterministic ? "" : " (answers differ from run to run)");
@@ -37,8 +38,10 @@ void print_json(const std::vector<Row>& all) {
   for (const Row& row : all) {
     auto options = nlohmann::ordered_json::array();
     for (const OptionInfo& o : row.options)
-      options.push_back({{"name", o.name}, {"default", o.default_value}, {"unit", o.unit}, {"sentence", o.sentence}});
-    json.push_back({{"name", row.name}, {"kind", row.kind}, {"sentence", row.sentence}, {"options", options}});
+      options.push_back(
+          {{"name", o.name}, {"default", o.default_value}, {"unit", o.unit}, {"sentence", o.sentence}});
+    json.push_back(
+        {{"name", row.name}, {"kind", row.kind}, {"sentence", row.sentence}, {"options", options}});
   }
   fmt::print("{}\n", json.dump(2));
 }
@@ -55,7 +58,8 @@ int list(const ListArguments& arguments, const Methods& methods) {
       fmt::print("{:>22}  {}={}{}\n{:24}{}\n", "", option.name, option.default_value,
                  option.unit.empty() ? "" : " " + option.unit, "", option.sentence);
   }
-  if (!arguments.verbose) fmt::print("\n`relock list --verbose` shows their options; give them as NAME(OPTION=VALUE,...)\n");
+  if (!arguments.verbose)
+    fmt::print("\n`relock list --verbose` shows their options; give them as NAME(OPTION=VALUE,...)\n");
   return 0;
 }
 

@@ -62,7 +62,8 @@ class SpecReader {
   }
 
   [[noreturn]] void fail(std::string_view sentence) const {
-    throw Error(fmt::format("methods, character {}: {}\n  {}\n  {:>{}}", at_ + 1, sentence, text_, '^', at_ + 1));
+    throw Error(
+        fmt::format("methods, character {}: {}\n  {}\n  {:>{}}", at_ + 1, sentence, text_, '^', at_ + 1));
   }
 
   std::string_view text_;

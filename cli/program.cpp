@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <opencv2/core/utils/logger.hpp>
 
 #include "cli/verbs.h"
 #include "cli/version.h"
@@ -36,7 +37,8 @@ void add_run(CLI::App& app, RunArguments& a) {
   verb.add_option("--sequence", a.sequence, "the recording: a folder of pictures")->required();
   verb.add_option("--labels", a.labels, "its labels; else labels.csv in the recording's folder");
   verb.add_option("--rate", a.rate_hz, "Hz, for a recording that states no times");
-  verb.add_option("--methods", a.methods, "names, separated by commas: kcf,aruco,csrt(psr_threshold=0.05)")->required();
+  verb.add_option("--methods", a.methods, "names, separated by commas: kcf,aruco,csrt(psr_threshold=0.05)")
+      ->required();
   verb.add_option("--protocol", a.protocol, "once, reset (start again after a loss) or detect (no start)")
       ->capture_default_str();
   verb.add_option("--gaps", a.gaps,
@@ -49,14 +51,16 @@ void add_run(CLI::App& app, RunArguments& a) {
 }
 
 void add_score(CLI::App& app, ScoreArguments& a) {
-  CLI::App& verb = *app.add_subcommand("score", "Score runs: recognition, availability, losses, recovery, exactness");
+  CLI::App& verb =
+      *app.add_subcommand("score", "Score runs: recognition, availability, losses, recovery, exactness");
   verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
   verb.add_flag("--json", a.json, "print scores as JSON");
   add_gate(verb, a.gate);
 }
 
 void add_timeline(CLI::App& app, TimelineArguments& a) {
-  CLI::App& verb = *app.add_subcommand("timeline", "Show when each method had the target, lost it and had it back");
+  CLI::App& verb =
+      *app.add_subcommand("timeline", "Show when each method had the target, lost it and had it back");
   verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
   verb.add_flag("--ascii", a.ascii, "letters only, without colour");
   add_gate(verb, a.gate);
@@ -110,8 +114,10 @@ Methods builtin_methods() {
 }
 
 int run_program(int argc, char** argv, const Methods& methods) {
-  CLI::App app("relock: does a tracker or detector keep the target when the picture blurs and frames go missing?",
-               "relock");
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // faults are told in our words
+  CLI::App app(
+      "relock: does a tracker or detector keep the target when the picture blurs and frames go missing?",
+      "relock");
   Arguments arguments;
   app.set_version_flag("--version", std::string("relock ") + kVersion);
   app.require_subcommand(1);

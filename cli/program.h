@@ -15,8 +15,8 @@ struct Methods {
 Methods builtin_methods();
 
 /// The relock program with these methods: reads the arguments and does what they say.
-/// Returns the exit status: 0; 1 when a method failed (its runs are scored all the same); 2 when something that
-/// was given is at fault, told in one sentence on stderr.
+/// Returns the exit status: 0; 1 when a method failed (its runs are scored all the same); 2 when something
+/// that was given is at fault, told in one sentence on stderr.
 int run_program(int argc, char** argv, const Methods& methods);
 
 }  // namespace relock

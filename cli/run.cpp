@@ -38,9 +38,10 @@ std::vector<ChosenMethod> chosen_methods(const RunArguments& arguments, const Me
   const bool with_start = protocol != Protocol::detect;
   for (const ChosenMethod& method : chosen)
     if (method.needs_start && !with_start)
-      throw Error(fmt::format("{} needs a box to start from, and protocol detect gives none; use once or reset",
-                              method.text));
-  for (ChosenMethod& yardstick : yardsticks(methods, with_start, chosen)) chosen.push_back(std::move(yardstick));
+      throw Error(fmt::format(
+          "{} needs a box to start from, and protocol detect gives none; use once or reset", method.text));
+  for (ChosenMethod& yardstick : yardsticks(methods, with_start, chosen))
+    chosen.push_back(std::move(yardstick));
   return chosen;
 }
 
@@ -55,8 +56,9 @@ std::vector<FrameIndex> start_frames(const Recording& recording) {
 void check_labels(const Sequence& sequence, const RunArguments& arguments) {
   const Recording& recording = sequence.recording;
   if (recording.targets.empty())
-    throw Error(fmt::format("{} has no labels.csv, and without truth nothing can be scored; give --labels FILE",
-                            arguments.sequence.string()));
+    throw Error(
+        fmt::format("{} has no labels.csv, and without truth nothing can be scored; give --labels FILE",
+                    arguments.sequence.string()));
   for (const TargetTruth& truth : recording.truth)
     if (truth.label == Label::visible) return;
   throw Error(fmt::format("no target of {} is ever visible, so there is nothing to score", recording.name));
@@ -66,9 +68,10 @@ std::vector<bool> asked(const ChosenMethod& method, const Recording& recording) 
   std::vector<bool> all;
   for (const Target& target : recording.targets) all.push_back(method.asked_about(target));
   if (std::find(all.begin(), all.end(), true) == all.end())
-    throw Error(fmt::format("{} reads codes of {}, and no target of {} has one; give the target's code in "
-                            "recording.toml",
-                            method.text, fmt::join(method.reads, ", "), recording.name));
+    throw Error(
+        fmt::format("{} reads codes of {}, and no target of {} has one; give the target's code in "
+                    "recording.toml",
+                    method.text, fmt::join(method.reads, ", "), recording.name));
   return all;
 }
 
@@ -160,7 +163,7 @@ int run(const RunArguments& arguments, const Methods& methods) {
                                        start_frames(sequence.recording));
   prepare_results(arguments.out);
   store_truth(arguments.out, sequence.recording, sequence.fingerprint);
-  const Plan plan{std::move(sequence), std::move(gaps), schedule,      protocol,
+  const Plan plan{std::move(sequence),        std::move(gaps), schedule,     protocol,
                   parse_gate(arguments.gate), arguments.seed,  arguments.out};
 
   print_recording(plan);
@@ -168,8 +171,8 @@ int run(const RunArguments& arguments, const Methods& methods) {
   for (const ChosenMethod& method : chosen) {
     if (const auto failure = run_one(plan, method)) {
       failed = true;
-      fmt::print(stderr, "relock: {} failed on frame {}: {} (it is scored as failed from there on)\n", method.text,
-                 failure->frame, failure->what);
+      fmt::print(stderr, "relock: {} failed on frame {}: {} (it is scored as failed from there on)\n",
+                 method.text, failure->frame, failure->what);
     }
   }
   fmt::print("Results are in {}; see them with `relock timeline {}` and `relock score {}`\n",

@@ -128,8 +128,7 @@ std::string slug(std::string_view text) {
 std::string gaps_slug(const RunRecord& record) {
   if (record.gaps == "none") return "recorded";
   std::string text = record.gaps;
-  if (text.starts_with("trace("))
-    text = "trace-" + fs::path(text.substr(6, text.size() - 7)).stem().string();
+  if (text.starts_with("trace(")) text = "trace-" + fs::path(text.substr(6, text.size() - 7)).stem().string();
   return fmt::format("{}-s{}", slug(text), record.seed);
 }
 
@@ -184,7 +183,8 @@ fs::path truth_folder(const fs::path& comparison) { return comparison.parent_pat
 StoredComparison read_comparison(const fs::path& folder, std::vector<fs::path> run_folders) {
   const fs::path truth = truth_folder(folder);
   if (!fs::exists(truth))
-    throw Error(fmt::format("{} is missing: runs cannot be scored without the truth beside them", truth.string()));
+    throw Error(
+        fmt::format("{} is missing: runs cannot be scored without the truth beside them", truth.string()));
   StoredComparison comparison{folder, read_truth(truth), {}};
   std::sort(run_folders.begin(), run_folders.end());
   for (const fs::path& run : run_folders) comparison.runs.push_back(read_run(run, comparison.recording));
@@ -216,9 +216,10 @@ void store_truth(const fs::path& out, const Recording& recording, const std::str
   const fs::path place = out / slug(recording.name) / "recording";
   if (fs::exists(place)) {
     if (read_file(place / "fingerprint") == fingerprint + "\n") return;
-    throw Error(fmt::format("{} was made from other pictures, times or labels than {} has now; choose another "
-                            "--out or remove it",
-                            place.parent_path().string(), recording.name));
+    throw Error(
+        fmt::format("{} was made from other pictures, times or labels than {} has now; choose another "
+                    "--out or remove it",
+                    place.parent_path().string(), recording.name));
   }
   const fs::path draft = temporary_name(place);
   make_folder(draft);
@@ -275,7 +276,8 @@ void write_file(const fs::path& path, const std::string& content) {
   if (!out || fault) {
     std::error_code ignored;
     fs::remove(draft, ignored);
-    throw Error(fmt::format("{} cannot be written; is the disk full, or the folder another user's?", path.string()));
+    throw Error(
+        fmt::format("{} cannot be written; is the disk full, or the folder another user's?", path.string()));
   }
 }
 

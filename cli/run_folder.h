@@ -22,9 +22,9 @@ struct RunRecord {
   // What went in. A run with the same of these is not run again.
   std::string relock_version;
   std::string opencv_version;
-  std::string recording;    ///< its name
-  std::string fingerprint;  ///< of its pictures, times and labels
-  std::string method;       ///< as it would be typed
+  std::string recording;                       ///< its name
+  std::string fingerprint;                     ///< of its pictures, times and labels
+  std::string method;                          ///< as it would be typed
   std::map<std::string, std::string> options;  ///< of the method, defaults too
   std::string gaps;                            ///< pattern, "none" as recorded
   std::vector<FrameIndex> dropped;             ///< frames that the pattern took
@@ -58,13 +58,14 @@ struct StoredComparison {
   std::vector<StoredRun> runs;  ///< by name; yardsticks last
 };
 
-/// Makes `out` ready: creates it, or checks that it is relock's. Throws Error when it belongs to something else
-/// or cannot be written.
+/// Makes `out` ready: creates it, or checks that it is relock's. Throws Error when it belongs to something
+/// else or cannot be written.
 void prepare_results(const std::filesystem::path& out);
 
-/// Writes OUT/RECORDING/recording, or checks that the one there is the same. Throws Error when it was made from
-/// another recording or other labels.
-void store_truth(const std::filesystem::path& out, const Recording& recording, const std::string& fingerprint);
+/// Writes OUT/RECORDING/recording, or checks that the one there is the same. Throws Error when it was made
+/// from another recording or other labels.
+void store_truth(const std::filesystem::path& out, const Recording& recording,
+                 const std::string& fingerprint);
 
 /// Where a run belongs.
 std::filesystem::path run_folder(const std::filesystem::path& out, const RunRecord& record);
@@ -74,7 +75,8 @@ bool already_run(const std::filesystem::path& folder, const RunRecord& record);
 void store_run(const std::filesystem::path& folder, const RunRecord& record, const Recording& recording,
                const Replay& replay);
 
-/// Finds and reads all runs below `folder`: a results folder or a part of one. Throws Error when there is none.
+/// Finds and reads all runs below `folder`: a results folder or a part of one. Throws Error when there is
+/// none.
 std::vector<StoredComparison> read_results(const std::filesystem::path& folder);
 
 /// Writes a text file whole or not at all; throws Error when it cannot be written.

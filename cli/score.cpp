@@ -20,7 +20,8 @@ std::string cell(const std::optional<double>& value, int decimals) {
 
 /// Localization finer than two standard deviations of the labels says nothing of the method.
 std::string fix_cell(const Localization& l, const std::optional<double>& px) {
-  if (px && l.label_sigma_px && *px < 2 * *l.label_sigma_px) return fmt::format("<{:.2f}", 2 * *l.label_sigma_px);
+  if (px && l.label_sigma_px && *px < 2 * *l.label_sigma_px)
+    return fmt::format("<{:.2f}", 2 * *l.label_sigma_px);
   return cell(px, 2);
 }
 
@@ -115,7 +116,8 @@ int score(const ScoreArguments& arguments) {
   for (StoredComparison& stored : all) {
     const ScoredComparison compared = scored(std::move(stored), gate);
     for (std::size_t i = 0; i < compared.stored.runs.size(); ++i) {
-      objects.push_back(scores_json(compared.stored.runs[i], compared.stored.recording, gate, compared.sheets[i]));
+      objects.push_back(
+          scores_json(compared.stored.runs[i], compared.stored.recording, gate, compared.sheets[i]));
       store_scores(compared, i, objects.back());
     }
     if (arguments.json) continue;
@@ -129,9 +131,12 @@ int score(const ScoreArguments& arguments) {
   if (arguments.json) {
     fmt::print("{}", json_array(objects));
   } else {
-    fmt::print("\n  recover s: Kaplan-Meier median, > where no more than half recovered while watched. e px, p95, % D: "
-               "position error over Hits,\n  < where it is below the accuracy of the labels (two standard deviations). "
-               "common e: over Hits common to all methods.\n");
+    fmt::print(
+        "\n  recover s: Kaplan-Meier median, > where no more than half recovered while watched. e px, p95, % "
+        "D: "
+        "position error over Hits,\n  < where it is below the accuracy of the labels (two standard "
+        "deviations). "
+        "common e: over Hits common to all methods.\n");
   }
   return 0;
 }

@@ -15,13 +15,14 @@ Json to_json(const Recovery& r) {
   Json within;
   for (std::size_t i = 0; i < kRecoveredWithin_s.size(); ++i)
     within[fmt::format("{}_s", kRecoveredWithin_s[i])] = number(r.within[i]);
-  return {{"losses", r.losses},         {"recovered", r.recovered},     {"median_s", number(r.median_s)},
-          {"p90_s", number(r.p90_s)},   {"follow_up_s", r.follow_up_s}, {"probability_within", within}};
+  return {{"losses", r.losses},       {"recovered", r.recovered},     {"median_s", number(r.median_s)},
+          {"p90_s", number(r.p90_s)}, {"follow_up_s", r.follow_up_s}, {"probability_within", within}};
 }
 
 Json to_json(const Localization& l) {
   Json within;
-  for (std::size_t i = 0; i < kWithinD.size(); ++i) within[fmt::format("{}_d", kWithinD[i])] = number(l.within[i]);
+  for (std::size_t i = 0; i < kWithinD.size(); ++i)
+    within[fmt::format("{}_d", kWithinD[i])] = number(l.within[i]);
   return {{"hits", l.hits},
           {"mean_px", number(l.mean_px)},
           {"rms_px", number(l.rms_px)},

@@ -20,7 +20,8 @@ struct Line {
 void print_line(const Line& line, std::size_t name_columns, const TimelineStyle& style, int width) {
   const std::string name = padded(line.name, name_columns);
   const auto lane_columns = static_cast<std::size_t>(style.columns);
-  const bool fits = name_columns + lane_columns + columns_of(line.story) + 6 <= static_cast<std::size_t>(width);
+  const bool fits =
+      name_columns + lane_columns + columns_of(line.story) + 6 <= static_cast<std::size_t>(width);
   if (fits) {
     fmt::print("  {}  {}  {}\n", name, line.lane, line.story);
   } else {
@@ -36,7 +37,7 @@ void print_target(const ScoredComparison& scored, std::size_t t, TimelineStyle s
   std::size_t name_columns = 0;
   for (const StoredRun& run : comparison.runs)
     name_columns = std::max(name_columns, columns_of(run.record.method));
-  style.columns = std::clamp(width / 2 - static_cast<int>(name_columns), 20, 100);
+  style.columns = std::clamp(width - static_cast<int>(name_columns) - 4, 20, 100);
   for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
     const StoredRun& run = comparison.runs[i];
     if (!run.trajectory.judged_from[t]) continue;
@@ -45,10 +46,12 @@ void print_target(const ScoredComparison& scored, std::size_t t, TimelineStyle s
   }
   if (lines.empty()) return;
   const std::string marks = ruler(recording, style);
-  const auto shown = static_cast<int>(columns_of(lane(recording, evaluations[0].targets[t], {style.columns})));
+  const auto shown =
+      static_cast<int>(columns_of(lane(recording, evaluations[0].targets[t], {style.columns})));
   style.columns = shown;
   const Target& target = recording.targets[t];
-  fmt::print("\n  target {}{}\n", target.id, target.code ? fmt::format(" ({})", to_string(*target.code)) : "");
+  fmt::print("\n  target {}{}\n", target.id,
+             target.code ? fmt::format(" ({})", to_string(*target.code)) : "");
   for (const Line& line : lines) print_line(line, name_columns, style, width);
   fmt::print("  {:{}}  {}\n", "", name_columns, marks);
 }

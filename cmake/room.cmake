@@ -9,6 +9,7 @@ function(relock_room name)
   add_library(relock_${name} STATIC ${sources})
   add_library(relock::${name} ALIAS relock_${name})
   set_target_properties(relock_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_compile_features(relock_${name} PUBLIC cxx_std_20)
   target_include_directories(relock_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 endfunction()
 

@@ -42,7 +42,8 @@ class Tokenizer {
 CsvReader::CsvReader(std::istream& in, std::string name) : in_(in), name_(std::move(name)) {
   if (!read_record(header_)) throw Error(fmt::format("{}: the file is empty; it needs a header line", name_));
   for (auto cell = header_.begin(); cell != header_.end(); ++cell)
-    if (std::find(header_.begin(), cell, *cell) != cell) fail(fmt::format("two columns are called \"{}\"", *cell));
+    if (std::find(header_.begin(), cell, *cell) != cell)
+      fail(fmt::format("two columns are called \"{}\"", *cell));
 }
 
 void CsvReader::expect_only(std::span<const std::string> known) const {

@@ -10,8 +10,8 @@
 
 namespace relock {
 
-/// Reads a CSV (RFC 4180, one record a line) with a header line, row by row, columns by name. Every fault is an
-/// Error that names file, line and column. Numbers are read without regard to the locale.
+/// Reads a CSV (RFC 4180, one record a line) with a header line, row by row, columns by name. Every fault is
+/// an Error that names file, line and column. Numbers are read without regard to the locale.
 ///
 ///     CsvReader rows(file, "labels.csv");
 ///     const auto x = rows.column("x");                 // throws if there is none

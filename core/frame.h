@@ -9,7 +9,7 @@ namespace relock {
 struct Frame {
   FrameIndex index = 0;  ///< rank among the recorded frames; frames that were dropped leave holes
   Time captured;
-  Image image;           ///< its pixels live until the next frame is asked for
+  Image image;  ///< its pixels live until the next frame is asked for
 };
 
 /// A recorded frame before its pixels are decoded.

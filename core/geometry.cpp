@@ -12,13 +12,16 @@ template <class... Ts>
 struct overloaded : Ts... {
   using Ts::operator()...;
 };
+template <class... Ts>
+overloaded(Ts...) -> overloaded<Ts...>;  // clang 14 does not find it by itself
 
 double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 
 /// Twice the signed area of a polygon.
 double doubled_area(const std::vector<Vec2>& polygon) {
   double sum = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) sum += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    sum += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
   return sum;
 }
 
@@ -40,23 +43,24 @@ Vec2 centroid(const Quad& quad) {
 }
 
 std::vector<Vec2> polygon_of(const Outline& outline) {
-  return std::visit(overloaded{[](const Box& b) {
-                                 return std::vector<Vec2>{
-                                     {b.x, b.y}, {b.right(), b.y}, {b.right(), b.bottom()}, {b.x, b.bottom()}};
-                               },
-                               [](const Quad& q) { return std::vector<Vec2>(q.corner.begin(), q.corner.end()); },
-                               [](const Ellipse& e) {
-                                 constexpr int kSides = 256;  // area 0.01 % below the ellipse's
-                                 std::vector<Vec2> points;
-                                 const double c = std::cos(e.angle_rad), s = std::sin(e.angle_rad);
-                                 for (int i = 0; i < kSides; ++i) {
-                                   const double t = 2 * std::numbers::pi * i / kSides;
-                                   const double u = e.semi_major * std::cos(t), v = e.semi_minor * std::sin(t);
-                                   points.push_back({e.centre.x + c * u - s * v, e.centre.y + s * u + c * v});
-                                 }
-                                 return points;
-                               }},
-                    outline);
+  return std::visit(
+      overloaded{[](const Box& b) {
+                   return std::vector<Vec2>{
+                       {b.x, b.y}, {b.right(), b.y}, {b.right(), b.bottom()}, {b.x, b.bottom()}};
+                 },
+                 [](const Quad& q) { return std::vector<Vec2>(q.corner.begin(), q.corner.end()); },
+                 [](const Ellipse& e) {
+                   constexpr int kSides = 256;  // area 0.01 % below the ellipse's
+                   std::vector<Vec2> points;
+                   const double c = std::cos(e.angle_rad), s = std::sin(e.angle_rad);
+                   for (int i = 0; i < kSides; ++i) {
+                     const double t = 2 * std::numbers::pi * i / kSides;
+                     const double u = e.semi_major * std::cos(t), v = e.semi_minor * std::sin(t);
+                     points.push_back({e.centre.x + c * u - s * v, e.centre.y + s * u + c * v});
+                   }
+                   return points;
+                 }},
+      outline);
 }
 
 /// Keeps the part of a polygon where inside(p) >= 0, `inside` being linear (Sutherland and Hodgman 1974).
@@ -79,10 +83,12 @@ double norm(Vec2 a) { return std::hypot(a.x, a.y); }
 bool finite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
 
 Vec2 centre_of(const Outline& outline) {
-  return std::visit(overloaded{[](const Box& b) { return Vec2{b.x + b.width / 2, b.y + b.height / 2}; },
-                               [](const Quad& q) { return centroid(q); },
-                               [](const Ellipse& e) { return e.centre; }},
-                    outline);
+  return std::visit(
+      overloaded{[](const Box& b) {
+                   return Vec2{b.x + b.width / 2, b.y + b.height / 2};
+                 },
+                 [](const Quad& q) { return centroid(q); }, [](const Ellipse& e) { return e.centre; }},
+      outline);
 }
 
 Vec2 diagonals_meet(const Quad& quad) {
@@ -106,40 +112,38 @@ double size_of(const Outline& outline) {
 }
 
 Box bounds(const Outline& outline) {
-  return std::visit(
-      overloaded{[](const Box& b) { return b; },
-                 [](const Quad& q) {
-                   Vec2 low = q.corner[0], high = q.corner[0];
-                   for (const Vec2& c : q.corner) {
-                     low = {std::min(low.x, c.x), std::min(low.y, c.y)};
-                     high = {std::max(high.x, c.x), std::max(high.y, c.y)};
-                   }
-                   return Box{low.x, low.y, high.x - low.x, high.y - low.y};
-                 },
-                 [](const Ellipse& e) {
-                   const double c = std::cos(e.angle_rad), s = std::sin(e.angle_rad);
-                   const double dx = std::hypot(e.semi_major * c, e.semi_minor * s);
-                   const double dy = std::hypot(e.semi_major * s, e.semi_minor * c);
-                   return Box{e.centre.x - dx, e.centre.y - dy, 2 * dx, 2 * dy};
-                 }},
-      outline);
+  return std::visit(overloaded{[](const Box& b) { return b; },
+                               [](const Quad& q) {
+                                 Vec2 low = q.corner[0], high = q.corner[0];
+                                 for (const Vec2& c : q.corner) {
+                                   low = {std::min(low.x, c.x), std::min(low.y, c.y)};
+                                   high = {std::max(high.x, c.x), std::max(high.y, c.y)};
+                                 }
+                                 return Box{low.x, low.y, high.x - low.x, high.y - low.y};
+                               },
+                               [](const Ellipse& e) {
+                                 const double c = std::cos(e.angle_rad), s = std::sin(e.angle_rad);
+                                 const double dx = std::hypot(e.semi_major * c, e.semi_minor * s);
+                                 const double dy = std::hypot(e.semi_major * s, e.semi_minor * c);
+                                 return Box{e.centre.x - dx, e.centre.y - dy, 2 * dx, 2 * dy};
+                               }},
+                    outline);
 }
 
 bool well_formed(const Outline& outline) {
-  return std::visit(overloaded{[](const Box& b) {
-                                 return finite({b.x, b.y}) && finite({b.width, b.height}) && b.width > 0 &&
-                                        b.height > 0;
-                               },
-                               [](const Quad& q) {
-                                 return std::all_of(q.corner.begin(), q.corner.end(), finite) &&
-                                        doubled_area({q.corner.begin(), q.corner.end()}) != 0;
-                               },
-                               [](const Ellipse& e) {
-                                 return finite(e.centre) && std::isfinite(e.angle_rad) &&
-                                        std::isfinite(e.semi_major) && e.semi_minor > 0 &&
-                                        e.semi_major >= e.semi_minor;
-                               }},
-                    outline);
+  return std::visit(
+      overloaded{[](const Box& b) {
+                   return finite({b.x, b.y}) && finite({b.width, b.height}) && b.width > 0 && b.height > 0;
+                 },
+                 [](const Quad& q) {
+                   return std::all_of(q.corner.begin(), q.corner.end(), finite) &&
+                          doubled_area({q.corner.begin(), q.corner.end()}) != 0;
+                 },
+                 [](const Ellipse& e) {
+                   return finite(e.centre) && std::isfinite(e.angle_rad) && std::isfinite(e.semi_major) &&
+                          e.semi_minor > 0 && e.semi_major >= e.semi_minor;
+                 }},
+      outline);
 }
 
 Box intersect(const Box& a, const Box& b) {

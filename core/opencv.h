@@ -13,7 +13,8 @@ cv::Mat read_only_mat(const Image& image);
 /// A view of a Mat of type CV_8UC1 or CV_8UC3, valid as long as its pixels. Throws Error on another type.
 Image view(const cv::Mat& mat);
 
-/// The picture as grey, one byte a pixel: the same pixels if it is grey already, else converted into `buffer`.
+/// The picture as grey, one byte a pixel: the same pixels if it is grey already, else converted into
+/// `buffer`.
 cv::Mat gray_of(const Image& image, cv::Mat& buffer);
 /// A copy of the picture as BGR in `buffer`, continuous, for functions that may write.
 const cv::Mat& bgr_copy(const Image& image, cv::Mat& buffer);

@@ -56,9 +56,7 @@ int Options::whole(std::string_view name, int least, int most) const {
 
 bool Options::flag(std::string_view name) const { return word(name, {"false", "true"}) == "true"; }
 
-const std::string& Options::word(std::string_view name) const {
-  return values_.at(std::string(name));
-}
+const std::string& Options::word(std::string_view name) const { return values_.at(std::string(name)); }
 
 const std::string& Options::word(std::string_view name, const std::vector<std::string>& legal) const {
   const std::string& value = word(name);

@@ -26,7 +26,8 @@ std::vector<CsvReader::Column> columns(const CsvReader& rows, std::span<const st
 }
 
 /// The numbers of one set of columns; nothing if all are empty.
-std::optional<std::vector<double>> numbers(const CsvReader& rows, const std::vector<CsvReader::Column>& columns) {
+std::optional<std::vector<double>> numbers(const CsvReader& rows,
+                                           const std::vector<CsvReader::Column>& columns) {
   if (std::all_of(columns.begin(), columns.end(), [&](auto c) { return rows.text(c).empty(); })) return {};
   std::vector<double> values;
   for (const auto column : columns) values.push_back(rows.number(column));
@@ -37,8 +38,8 @@ std::optional<std::vector<double>> numbers(const CsvReader& rows, const std::vec
 
 const std::vector<std::string>& outline_columns() {
   static const std::vector<std::string> all{
-      "x",  "y",  "width", "height",                           // box
-      "x1", "y1", "x2",    "y2",     "x3", "y3", "x4", "y4",   // quad
+      "x",         "y",         "width",      "height",                                    // box
+      "x1",        "y1",        "x2",         "y2",         "x3",       "y3", "x4", "y4",  // quad
       "ellipse_x", "ellipse_y", "semi_major", "semi_minor", "angle_rad"};
   return all;
 }
@@ -63,7 +64,8 @@ std::optional<Outline> OutlineColumns::read(const CsvReader& rows) const {
     set(quad);
   }
   if (const auto v = numbers(rows, ellipse_)) set(Ellipse{{(*v)[0], (*v)[1]}, (*v)[2], (*v)[3], (*v)[4]});
-  if (outline && !well_formed(*outline)) rows.fail("the outline has no size, or its axes are in the wrong order");
+  if (outline && !well_formed(*outline))
+    rows.fail("the outline has no size, or its axes are in the wrong order");
   return outline;
 }
 

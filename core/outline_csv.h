@@ -7,11 +7,11 @@
 #include "core/csv.h"
 #include "core/geometry.h"
 
-// Outlines in CSV files, labels and trajectories alike. A file may have any of three sets of columns, and each
-// row fills at most one of them:
+// Outlines in CSV files, labels and trajectories alike. A file may have any of three sets of columns, and
+// each row fills at most one of them:
 //   x, y, width, height                                            a box: left and top edge, px
-//   x1, y1, x2, y2, x3, y3, x4, y4                                 a quad: top left, top right, bottom right, …
-//   ellipse_x, ellipse_y, semi_major, semi_minor, angle_rad        an ellipse
+//   x1, y1, x2, y2, x3, y3, x4, y4                                 a quad: top left, top right, bottom right,
+//   … ellipse_x, ellipse_y, semi_major, semi_minor, angle_rad        an ellipse
 
 namespace relock {
 

@@ -55,7 +55,8 @@ class Registry {
 
   /// Null when there is none.
   const Entry* find(std::string_view name) const {
-    const auto at = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.name == name; });
+    const auto at =
+        std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.name == name; });
     return at == entries_.end() ? nullptr : &*at;
   }
 

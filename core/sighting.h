@@ -43,13 +43,13 @@ struct BlurEstimate {
 ///
 /// Coordinates are pixels, pixel centres at integers, x right, y down (core/geometry.h).
 struct Sighting {
-  Vec2 centre;                                ///< px; which centre it is, `centre_kind` says
+  Vec2 centre;  ///< px; which centre it is, `centre_kind` says
   CentreKind centre_kind = CentreKind::outline;
-  Outline outline;                            ///< around the whole target
-  std::optional<Code> code = {};              ///< what was read; empty for methods that read no codes
-  std::optional<TargetId> track = {};         ///< the target being followed; empty for detections
-  double confidence = 1.0;                    ///< in [0, 1], comparable only within one method
-  std::optional<BlurEstimate> blur = {};      ///< empty: not estimated
+  Outline outline;                        ///< around the whole target
+  std::optional<Code> code = {};          ///< what was read; empty for methods that read no codes
+  std::optional<TargetId> track = {};     ///< the target being followed; empty for detections
+  double confidence = 1.0;                ///< in [0, 1], comparable only within one method
+  std::optional<BlurEstimate> blur = {};  ///< empty: not estimated
   friend bool operator==(const Sighting&, const Sighting&) = default;
 };
 

@@ -7,7 +7,8 @@ namespace {
 
 double border_distance(const Outline& outline, Size picture) {
   const Box box = bounds(outline), whole = picture_box(picture);
-  return std::min({box.x - whole.x, box.y - whole.y, whole.right() - box.right(), whole.bottom() - box.bottom()});
+  return std::min(
+      {box.x - whole.x, box.y - whole.y, whole.right() - box.right(), whole.bottom() - box.bottom()});
 }
 
 }  // namespace

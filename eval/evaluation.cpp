@@ -11,8 +11,9 @@ namespace {
 
 void check_fit(const Recording& recording, const Trajectory& trajectory) {
   if (trajectory.frames.size() != recording.frames())
-    throw Error(fmt::format("the trajectory has {} frames and the recording {}; were they made for each other?",
-                            trajectory.frames.size(), recording.frames()));
+    throw Error(
+        fmt::format("the trajectory has {} frames and the recording {}; were they made for each other?",
+                    trajectory.frames.size(), recording.frames()));
   if (trajectory.judged_from.size() != recording.targets.size() ||
       trajectory.failed_from.size() != recording.targets.size())
     throw Error(fmt::format("the trajectory is not of the recording's {} targets", recording.targets.size()));

@@ -26,22 +26,22 @@ class EventRows {
   Row row(const Loss& loss) const {
     const Circumstances c = circumstances(recording_, trajectory_, target_, loss);
     return {loss.last_good,
-            fmt::format("loss,{},{:.9f},{:.9f},{:.9f},{:.9f},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", id(),
-                        at(loss.last_good), at(loss.first_lost), at(loss.end_frame),
-                        at(loss.end_frame) - at(loss.last_good), loss.rule == LossRule::a ? "a" : "b",
-                        to_string(loss.kind), to_string(loss.end), loss.last_good, loss.first_lost, loss.declared,
-                        loss.end_frame, c.slots, c.slots_recorded, c.slots_injected, c.slots_skipped,
-                        cell(c.blur_px), cell(c.displacement_d), cell(c.border_px), cell(c.tilt_deg),
-                        cell(c.size_px))};
+            fmt::format(
+                "loss,{},{:.9f},{:.9f},{:.9f},{:.9f},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", id(),
+                at(loss.last_good), at(loss.first_lost), at(loss.end_frame),
+                at(loss.end_frame) - at(loss.last_good), loss.rule == LossRule::a ? "a" : "b",
+                to_string(loss.kind), to_string(loss.end), loss.last_good, loss.first_lost, loss.declared,
+                loss.end_frame, c.slots, c.slots_recorded, c.slots_injected, c.slots_skipped, cell(c.blur_px),
+                cell(c.displacement_d), cell(c.border_px), cell(c.tilt_deg), cell(c.size_px))};
   }
 
   Row row(const Acquisition& search) const {
     const auto end = search.locked_at;
     return {search.from,
-            fmt::format("{},{},{:.9f},,{},{},,,{},{},,,{},,,,,,,,,\n", to_string(search.kind), id(), at(search.from),
-                        end ? fmt::format("{:.9f}", at(*end)) : "",
-                        end ? fmt::format("{:.9f}", at(*end) - at(search.from)) : "", end ? "locked" : "nothing",
-                        search.from, end ? std::to_string(*end) : "")};
+            fmt::format("{},{},{:.9f},,{},{},,,{},{},,,{},,,,,,,,,\n", to_string(search.kind), id(),
+                        at(search.from), end ? fmt::format("{:.9f}", at(*end)) : "",
+                        end ? fmt::format("{:.9f}", at(*end) - at(search.from)) : "",
+                        end ? "locked" : "nothing", search.from, end ? std::to_string(*end) : "")};
   }
 
  private:

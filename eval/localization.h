@@ -13,10 +13,10 @@ namespace relock {
 struct Fix {
   std::size_t frame = 0;
   std::size_t target = 0;
-  Vec2 error_px;                  ///< reported - true
-  double size_px = 0;             ///< D
-  std::optional<BlurVector> blur; ///< true blur there, px
-  double sigma_px = 0;            ///< accuracy of the label there
+  Vec2 error_px;                   ///< reported - true
+  double size_px = 0;              ///< D
+  std::optional<BlurVector> blur;  ///< true blur there, px
+  double sigma_px = 0;             ///< accuracy of the label there
 };
 
 /// All Hits on one target, in order.

@@ -29,8 +29,8 @@ constexpr Cost kUnreached{std::numeric_limits<std::int64_t>::max() / 4, 0, 0};
 using Matrix = std::vector<std::vector<Cost>>;
 
 struct Assignment {
-  std::vector<int> column_of;     // for each row
-  std::vector<Cost> row_price;    // dual prices: cost - row - column >= 0 everywhere, 0 on pairs of an optimum
+  std::vector<int> column_of;   // for each row
+  std::vector<Cost> row_price;  // dual prices: cost - row - column >= 0 everywhere, 0 on pairs of an optimum
   std::vector<Cost> column_price;
   Cost total;
 };
@@ -79,8 +79,8 @@ Assignment assign(const Matrix& cost) {
   return result;
 }
 
-/// Among all optimal assignments the one in which the first row has the earliest column of its preference, then
-/// the second, and so on.
+/// Among all optimal assignments the one in which the first row has the earliest column of its preference,
+/// then the second, and so on.
 std::vector<int> first_of_the_best(Matrix cost, const std::vector<std::vector<int>>& preference) {
   Assignment best = assign(cost);
   const Cost optimum = best.total;
@@ -107,7 +107,8 @@ std::vector<int> first_of_the_best(Matrix cost, const std::vector<std::vector<in
   return best.column_of;
 }
 
-/// Candidates (by index) that hang together through common targets or sightings: their matchings do not touch.
+/// Candidates (by index) that hang together through common targets or sightings: their matchings do not
+/// touch.
 std::vector<std::vector<std::size_t>> connected(const std::vector<Candidate>& candidates) {
   std::vector<std::size_t> parent(candidates.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
@@ -158,8 +159,8 @@ void match_group(const std::vector<Candidate>& candidates, const std::vector<std
   }
   const auto chosen = first_of_the_best(std::move(cost), preference);
   for (const std::size_t i : members)
-    paired[i] = chosen[row_of.at(candidates[i].target)] ==
-                static_cast<int>(column_of.at(candidates[i].sighting));
+    paired[i] =
+        chosen[row_of.at(candidates[i].target)] == static_cast<int>(column_of.at(candidates[i].sighting));
 }
 
 }  // namespace

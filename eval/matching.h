@@ -9,8 +9,8 @@ namespace relock {
 struct Candidate {
   int target = 0;
   int sighting = 0;
-  bool hit = false;            ///< within the hit gate, no wrong code
-  std::int64_t distance = 0;   ///< e / D (or 1 - overlap) in steps of 1e-9, so that ties are exact
+  bool hit = false;           ///< within the hit gate, no wrong code
+  std::int64_t distance = 0;  ///< e / D (or 1 - overlap) in steps of 1e-9, so that ties are exact
 };
 
 /// One-to-one matching with the most Hits, then the most pairs, then the least total distance (metrics.md

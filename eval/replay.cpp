@@ -49,7 +49,10 @@ void check_sighting(const Sighting& sighting, const Recording& recording) {
 class Run {
  public:
   Run(Method& method, const Recording& recording, const ReplayOptions& options)
-      : method_(method), recording_(recording), options_(options), starts_(first_startable(recording)),
+      : method_(method),
+        recording_(recording),
+        options_(options),
+        starts_(first_startable(recording)),
         watches_(recording.targets.size(), LockWatch(recording.period)) {
     Trajectory& trajectory = result_.trajectory;
     trajectory.reads_codes = options.reads_codes;

@@ -44,17 +44,17 @@ struct Failure {
 
 struct Replay {
   Trajectory trajectory;
-  std::vector<FrameCost> costs;     ///< of every delivered frame that the method was asked about
-  std::vector<Failure> failures;    ///< of a start (its target only) or an answer (all targets, for good)
+  std::vector<FrameCost> costs;   ///< of every delivered frame that the method was asked about
+  std::vector<Failure> failures;  ///< of a start (its target only) or an answer (all targets, for good)
   /// The recording itself could not be read on from here: the trajectory ends before this frame.
   std::optional<Failure> cut_short;
 };
 
 struct ReplayOptions {
   Protocol protocol = Protocol::once;
-  Gate gate;                       ///< by which `reset` judges losses
-  bool reads_codes = false;        ///< as the method's registry entry declares
-  std::vector<bool> asked;         ///< targets that the method is asked about; empty: all
+  Gate gate;                                 ///< by which `reset` judges losses
+  bool reads_codes = false;                  ///< as the method's registry entry declares
+  std::vector<bool> asked;                   ///< targets that the method is asked about; empty: all
   std::function<void(FrameIndex)> progress;  ///< called after every recorded frame, if given
 };
 

@@ -41,12 +41,14 @@ void count_verdicts(const Recording& recording, std::size_t target, const Target
   }
 }
 
-void add_up_times(const Recording& recording, std::size_t target, const TargetTimeline& timeline, Sums& sums) {
+void add_up_times(const Recording& recording, std::size_t target, const TargetTimeline& timeline,
+                  Sums& sums) {
   std::vector<Time> hits, possible_hits;
   for (std::size_t frame = 0; frame < timeline.judgements.size(); ++frame) {
     const Verdict verdict = timeline.judgements[frame].verdict;
     if (verdict == Verdict::Hit) hits.push_back(recording.captured[frame]);
-    if (could_hit(recording.truth_of(frame, target), verdict)) possible_hits.push_back(recording.captured[frame]);
+    if (could_hit(recording.truth_of(frame, target), verdict))
+      possible_hits.push_back(recording.captured[frame]);
   }
   const auto visible = visible_time(recording, target, timeline.judgements);
   for (const VisibleInterval& interval : visible) sums.visible += interval.to - interval.from;

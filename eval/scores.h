@@ -10,7 +10,8 @@
 
 namespace relock {
 
-/// Time to recover from a loss: Kaplan-Meier over all losses, censored where they were not ended by a recovery.
+/// Time to recover from a loss: Kaplan-Meier over all losses, censored where they were not ended by a
+/// recovery.
 struct Recovery {
   std::size_t losses = 0;
   std::size_t recovered = 0;
@@ -27,11 +28,11 @@ struct Scores {
   std::size_t uncoded = 0;                        ///< Hits by place of a method that reads codes
   std::size_t failed = 0;                         ///< Misses after a crash or time-out
   std::size_t spurious = 0;                       ///< sightings of nothing; only in the pooled scores
-  std::size_t ignored = 0;                        ///< sightings of what was not judged; only in the pooled scores
+  std::size_t ignored = 0;  ///< sightings of what was not judged; only in the pooled scores
 
-  std::optional<double> recognition;        ///< Hits / visible frames not NotStarted, Given or Dropped
-  std::optional<double> precision;          ///< Hits / all sightings that were judged
-  double visible_s = 0;                     ///< visible time = locked + lost + searching
+  std::optional<double> recognition;  ///< Hits / visible frames not NotStarted, Given or Dropped
+  std::optional<double> precision;    ///< Hits / all sightings that were judged
+  double visible_s = 0;               ///< visible time = locked + lost + searching
   double locked_s = 0, lost_s = 0, searching_s = 0;
   std::optional<double> availability;          ///< share of visible time with a Hit at most 0.1 s old
   std::optional<double> availability_ceiling;  ///< of a Hit on every frame that could have one

@@ -11,8 +11,8 @@ constexpr int kFramesToLock = 3;
 constexpr int kFramesToLose = 3;
 constexpr Duration kDriftTime = std::chrono::seconds(1);
 constexpr Duration kFreshReport = std::chrono::milliseconds(500);
-constexpr double kSameReport = 0.1;      // D
-constexpr double kReportsShare = 0.25;   // of the way that report and target went towards each other
+constexpr double kSameReport = 0.1;     // D
+constexpr double kReportsShare = 0.25;  // of the way that report and target went towards each other
 
 /// What a scored lost frame says; Hits are never asked.
 LossKind said_on(const Observation& lost, LossRule rule) {
@@ -54,7 +54,8 @@ void LockWatch::observe(const Observation& now) {
   if (last_shown_ && now.captured - *last_shown_ > kPause) paused_since_ = true;
   if (labels_stopped_before(now)) stop_labels();
   note_labels(now);
-  if (state_ == State::NotStarted && now.verdict != Verdict::NotStarted) begin_search(Acquisition::Kind::acquire);
+  if (state_ == State::NotStarted && now.verdict != Verdict::NotStarted)
+    begin_search(Acquisition::Kind::acquire);
 
   const Seen seen{frame_, now};
   if (now.verdict == Verdict::Given) {
@@ -74,7 +75,8 @@ LockWatch::Story LockWatch::finish() {
   return std::move(story_);
 }
 
-// Labels ------------------------------------------------------------------------------------------------------
+// Labels
+// ------------------------------------------------------------------------------------------------------
 
 bool LockWatch::labels_stopped_before(const Observation& now) const {
   if (now.label == Label::unlabelled || !last_labelled_) return false;
@@ -100,7 +102,8 @@ void LockWatch::stop_labels() {
   end_runs();
 }
 
-// Frames that change the state whatever came before -----------------------------------------------------------
+// Frames that change the state whatever came before
+// -----------------------------------------------------------
 
 void LockWatch::give(const Seen& now) {
   if (state_ == State::Lost) end_loss(LossEnd::reset, frame_);
@@ -119,7 +122,8 @@ void LockWatch::leave() {
   state_ = State::Out;
 }
 
-// Scored frames -----------------------------------------------------------------------------------------------
+// Scored frames
+// -----------------------------------------------------------------------------------------------
 
 void LockWatch::score(const Seen& now) {
   if (state_ == State::Out) begin_search(Acquisition::Kind::reacquire);
@@ -211,7 +215,8 @@ void LockWatch::say(const Seen& lost) {
   }
 }
 
-// Chance: from the last lost report (a) to the first Hit (b) the report stood still and the target came to it.
+// Chance: from the last lost report (a) to the first Hit (b) the report stood still and the target came to
+// it.
 bool LockWatch::came_to_the_report() const {
   if (!last_lost_report_ || missed_since_report_) return false;
   const Observation& a = last_lost_report_->what;
@@ -226,7 +231,8 @@ bool LockWatch::came_to_the_report() const {
   return report_went < kReportsShare * (report_went + target_came);
 }
 
-// Beginnings and ends -----------------------------------------------------------------------------------------
+// Beginnings and ends
+// -----------------------------------------------------------------------------------------
 
 void LockWatch::end_loss(LossEnd end, FrameIndex frame) {
   Loss& loss = story_.losses.back();

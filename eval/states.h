@@ -23,15 +23,22 @@ enum class LossKind : std::uint8_t { Silent, WrongId, Drift, Declared };
 constexpr std::size_t kLossKinds = 4;
 std::string_view to_string(LossKind kind);
 /// How a loss ended. Only `recovered` is a recovery; all others are censorings.
-enum class LossEnd : std::uint8_t { recovered, chance, target_left, reset, labels_stopped, recording_stopped };
+enum class LossEnd : std::uint8_t {
+  recovered,
+  chance,
+  target_left,
+  reset,
+  labels_stopped,
+  recording_stopped
+};
 std::string_view to_string(LossEnd end);
 
-/// A lock lost. The onset is an interval, from the last frame that held to the first that did not: a gap in the
-/// recording widens it. Scores use its early end.
+/// A lock lost. The onset is an interval, from the last frame that held to the first that did not: a gap in
+/// the recording widens it. Scores use its early end.
 struct Loss {
   LossRule rule = LossRule::a;
   LossKind kind = LossKind::Declared;
-  FrameIndex last_good = 0;   ///< last Hold (rule a) or last Hit (rule b): the onset is after its time …
+  FrameIndex last_good = 0;  ///< last Hold (rule a) or last Hit (rule b): the onset is after its time …
   FrameIndex first_lost = 0;  ///< … and at or before the time of this one, the first scored frame of the loss
   FrameIndex declared = 0;    ///< the frame on which the rule was met
   LossEnd end = LossEnd::recording_stopped;
@@ -49,8 +56,8 @@ struct Acquisition {
     resume,     ///< after the labels had stopped, or a lock that non-Holds had ended
   };
   Kind kind = Kind::acquire;
-  FrameIndex from = 0;                         ///< first scored frame of the search
-  std::optional<FrameIndex> locked_at = {};    ///< first Hit of the lock; nothing: it never came
+  FrameIndex from = 0;                       ///< first scored frame of the search
+  std::optional<FrameIndex> locked_at = {};  ///< first Hit of the lock; nothing: it never came
   friend bool operator==(const Acquisition&, const Acquisition&) = default;
 };
 std::string_view to_string(Acquisition::Kind kind);
@@ -75,8 +82,8 @@ struct Observation {
   double size_px = 0;
 };
 
-/// Follows one target's state, frame by frame. It knows nothing of later frames, so that replay can ask it when
-/// a loss is declared; `finish` tells the whole story with hindsight.
+/// Follows one target's state, frame by frame. It knows nothing of later frames, so that replay can ask it
+/// when a loss is declared; `finish` tells the whole story with hindsight.
 class LockWatch {
  public:
   explicit LockWatch(Duration period) : period_(period) {}

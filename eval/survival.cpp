@@ -4,12 +4,14 @@
 
 namespace relock {
 namespace {
-constexpr double kRounding = 1e-12;  // products of exact fractions, as 3/4 · 2/3, miss 1/2 by this much at most
+constexpr double kRounding =
+    1e-12;  // products of exact fractions, as 3/4 · 2/3, miss 1/2 by this much at most
 }
 
 KaplanMeier::KaplanMeier(std::span<const Lifetime> lifetimes) {
   std::vector<Lifetime> sorted(lifetimes.begin(), lifetimes.end());
-  std::sort(sorted.begin(), sorted.end(), [](const Lifetime& a, const Lifetime& b) { return a.time < b.time; });
+  std::sort(sorted.begin(), sorted.end(),
+            [](const Lifetime& a, const Lifetime& b) { return a.time < b.time; });
   if (!sorted.empty()) follow_up_ = sorted.back().time;
   double survival = 1;
   for (std::size_t i = 0; i < sorted.size();) {

@@ -18,7 +18,7 @@ struct Glyph {
   std::string_view block;   // in place of the letter, where the terminal has Unicode
   std::string_view colour;  // ANSI; Okabe and Ito's colours, told apart by the colour-blind too
   std::string_view meaning;
-  int badness;              // the worse of two verdicts stands for a column that holds both equally often
+  int badness;  // the worse of two verdicts stands for a column that holds both equally often
 };
 constexpr std::array<Glyph, kVerdicts> kGlyphs{{{" ", "", "not started", 0},
                                                 {"·", "\x1b[90m", "no frame", 1},
@@ -52,9 +52,11 @@ Columns columns_of(const std::vector<std::int64_t>& frame_slots, const TimelineS
 }
 
 Verdict most_frequent(const std::array<int, kVerdicts>& count) {
+  if (count[static_cast<std::size_t>(Verdict::Given)] > 0) return Verdict::Given;  // starts are never hidden
   std::size_t best = 0;
   for (std::size_t v = 1; v < kVerdicts; ++v) {
-    if (count[v] > count[best] || (count[v] == count[best] && kGlyphs[v].badness > kGlyphs[best].badness)) best = v;
+    if (count[v] > count[best] || (count[v] == count[best] && kGlyphs[v].badness > kGlyphs[best].badness))
+      best = v;
   }
   return static_cast<Verdict>(best);
 }
@@ -68,10 +70,14 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string how_lost(LossKind kind) {
   switch (kind) {
-    case LossKind::Silent: return "lost silently";
-    case LossKind::WrongId: return "taken for another";
-    case LossKind::Drift: return "drifted off";
-    case LossKind::Declared: break;
+    case LossKind::Silent:
+      return "lost silently";
+    case LossKind::WrongId:
+      return "taken for another";
+    case LossKind::Drift:
+      return "drifted off";
+    case LossKind::Declared:
+      break;
   }
   return "lost, and said so,";
 }
@@ -79,12 +85,18 @@ std::string how_lost(LossKind kind) {
 std::string how_ended(const Recording& recording, const Loss& loss) {
   const double watched = seconds(loss_time(recording, loss));
   switch (loss.end) {
-    case LossEnd::recovered: return fmt::format("recovered in {:.2f} s", watched);
-    case LossEnd::chance: return fmt::format("the target came back to it by chance after {:.2f} s", watched);
-    case LossEnd::target_left: return fmt::format("not recovered in the {:.2f} s before the target left", watched);
-    case LossEnd::reset: return fmt::format("started again after {:.2f} s", watched);
-    case LossEnd::labels_stopped: return fmt::format("not recovered in the {:.2f} s before labels stop", watched);
-    case LossEnd::recording_stopped: break;
+    case LossEnd::recovered:
+      return fmt::format("recovered in {:.2f} s", watched);
+    case LossEnd::chance:
+      return fmt::format("the target came back to it by chance after {:.2f} s", watched);
+    case LossEnd::target_left:
+      return fmt::format("not recovered in the {:.2f} s before the target left", watched);
+    case LossEnd::reset:
+      return fmt::format("started again after {:.2f} s", watched);
+    case LossEnd::labels_stopped:
+      return fmt::format("not recovered in the {:.2f} s before labels stop", watched);
+    case LossEnd::recording_stopped:
+      break;
   }
   return fmt::format("not recovered in {:.2f} s", watched);
 }
@@ -93,7 +105,10 @@ class Story {
  public:
   Story(const Recording& recording, const Trajectory& trajectory, const Evaluation& evaluation,
         std::size_t target)
-      : recording_(recording), trajectory_(trajectory), timeline_(evaluation.targets[target]), target_(target) {}
+      : recording_(recording),
+        trajectory_(trajectory),
+        timeline_(evaluation.targets[target]),
+        target_(target) {}
 
   std::string tell() const {
     if (!trajectory_.judged_from[target_]) return "not asked";
@@ -105,7 +120,8 @@ class Story {
     } else {
       text = several_losses();
     }
-    if (const auto& failed = trajectory_.failed_from[target_]) text += fmt::format("; failed at {:.2f} s", at(*failed));
+    if (const auto& failed = trajectory_.failed_from[target_])
+      text += fmt::format("; failed at {:.2f} s", at(*failed));
     return text;
   }
 
@@ -115,8 +131,8 @@ class Story {
   }
 
   std::string never_lost() const {
-    const bool locked = std::find(timeline_.states.begin(), timeline_.states.end(), State::Locked) !=
-                        timeline_.states.end();
+    const bool locked =
+        std::find(timeline_.states.begin(), timeline_.states.end(), State::Locked) != timeline_.states.end();
     if (!locked) return "never locked";
     if (!timeline_.acquisitions.empty() && timeline_.acquisitions[0].locked_at) {
       const auto& search = timeline_.acquisitions[0];
@@ -129,7 +145,8 @@ class Story {
   std::string one_loss(const Loss& loss) const {
     const Circumstances c = circumstances(recording_, trajectory_, target_, loss);
     if (c.slots < 2)
-      return fmt::format("{} at {:.2f} s; {}", how_lost(loss.kind), at(loss.last_good), how_ended(recording_, loss));
+      return fmt::format("{} at {:.2f} s; {}", how_lost(loss.kind), at(loss.last_good),
+                         how_ended(recording_, loss));
     return fmt::format("{} at {:.2f}-{:.2f} s, over a gap of {} slots; {}", how_lost(loss.kind),
                        at(loss.last_good), at(loss.first_lost), c.slots, how_ended(recording_, loss));
   }
@@ -144,7 +161,8 @@ class Story {
     const std::size_t losses = timeline_.losses.size(), open = losses - recovered.size() - restarted;
     std::string text = fmt::format("{} losses", losses);
     if (!recovered.empty())
-      text += fmt::format(", {}recovered in {}", recovered.size() == losses ? "" : fmt::format("{} ", recovered.size()),
+      text += fmt::format(", {}recovered in {}",
+                          recovered.size() == losses ? "" : fmt::format("{} ", recovered.size()),
                           times(recovered));
     if (restarted > 0) text += fmt::format(", {} started again", restarted);
     if (open > 0) text += fmt::format(", {} not recovered", open);
@@ -219,8 +237,9 @@ std::string ruler(const Recording& recording, const TimelineStyle& style) {
 
 std::string legend(const TimelineStyle& style) {
   std::string text;
-  for (const Verdict v : {Verdict::Given, Verdict::Hit, Verdict::Stray, Verdict::Miss, Verdict::WrongId,
-                          Verdict::Dropped, Verdict::FalseAlarm, Verdict::CorrectReject, Verdict::Unlabelled}) {
+  for (const Verdict v :
+       {Verdict::Given, Verdict::Hit, Verdict::Stray, Verdict::Miss, Verdict::WrongId, Verdict::Dropped,
+        Verdict::FalseAlarm, Verdict::CorrectReject, Verdict::Unlabelled}) {
     if (!text.empty()) text += "  ";
     append_glyph(text, v, style);
     text += fmt::format(" {}", kGlyphs[static_cast<std::size_t>(v)].meaning);

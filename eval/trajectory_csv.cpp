@@ -15,9 +15,9 @@ namespace relock {
 namespace {
 
 constexpr int kDecimals = 4;
-const std::vector<std::string> kPlainColumns{
-    "frame",    "captured_ns", "report",   "track",      "code",
-    "centre_kind", "centre_x", "centre_y", "confidence", "blur_direction_rad", "blur_length_px"};
+const std::vector<std::string> kPlainColumns{"frame",      "captured_ns",        "report",        "track",
+                                             "code",       "centre_kind",        "centre_x",      "centre_y",
+                                             "confidence", "blur_direction_rad", "blur_length_px"};
 
 std::vector<std::string> all_columns() {
   auto names = kPlainColumns;
@@ -105,7 +105,8 @@ class TrajectoryWriter {
 
 class TrajectoryReader {
  public:
-  TrajectoryReader(std::istream& in, const std::string& file, const Recording& recording, Trajectory& trajectory)
+  TrajectoryReader(std::istream& in, const std::string& file, const Recording& recording,
+                   Trajectory& trajectory)
       : rows_(in, file), recording_(recording), frames_(trajectory.frames), outlines_(rows_) {
     rows_.expect_only(all_columns());
   }
@@ -136,14 +137,15 @@ class TrajectoryReader {
     const std::int64_t frame = rows_.whole(frame_);
     const auto last = static_cast<std::int64_t>(frames_.size()) - 1;
     if (frame != last && frame != last + 1)
-      rows_.fail(fmt::format("frame {} comes after frame {}; every recorded frame must be there, in order", frame,
-                             last));
+      rows_.fail(fmt::format("frame {} comes after frame {}; every recorded frame must be there, in order",
+                             frame, last));
     if (frame >= static_cast<std::int64_t>(recording_.frames()))
       rows_.fail(fmt::format("frame {} does not exist in {} (it has {} frames)", frame, recording_.name,
                              recording_.frames()));
     if (rows_.whole(captured_) != ns(recording_.captured[static_cast<std::size_t>(frame)]))
       rows_.fail(fmt::format("frame {} was captured at {} ns in {}; is this trajectory of another recording?",
-                             frame, ns(recording_.captured[static_cast<std::size_t>(frame)]), recording_.name));
+                             frame, ns(recording_.captured[static_cast<std::size_t>(frame)]),
+                             recording_.name));
     const auto kind = rows_.text(report_);
     if (frame == last && kind != "sighting" && kind != "given")
       rows_.fail(fmt::format("frame {} is there twice", frame));
@@ -172,7 +174,8 @@ class TrajectoryReader {
       rows_.fail(fault.what());
     }
     seen.confidence = rows_.number(confidence_);
-    const auto direction = rows_.optional_number(blur_direction_), length = rows_.optional_number(blur_length_);
+    const auto direction = rows_.optional_number(blur_direction_),
+               length = rows_.optional_number(blur_length_);
     if (direction && length) seen.blur = BlurEstimate{*direction, *length};
     return seen;
   }

@@ -8,8 +8,8 @@
 
 namespace relock {
 
-// trajectory.csv: everything a method said, one row for each sighting and at least one for each recorded frame.
-// Columns:
+// trajectory.csv: everything a method said, one row for each sighting and at least one for each recorded
+// frame. Columns:
 //   frame, captured_ns  the recorded frame
 //   report              sighting; nothing (delivered, and nothing said); given (the box handed over here, in
 //                       the outline columns); failed (no answer for good); dropped; skipped
@@ -24,10 +24,10 @@ namespace relock {
 /// `recording` names the targets and gives the times.
 void write_trajectory(std::ostream& out, const Recording& recording, const Trajectory& trajectory);
 
-/// Reads the frames back; `judged_from`, `failed_from` and `reads_codes` are in run.json and left as they are.
-/// A trajectory that was cut short has fewer frames than the recording.
-/// Throws Error with file and line on a frame out of order, a time that is not the recording's, an unknown
-/// target or report, a number that is not finite.
+/// Reads the frames back; `judged_from`, `failed_from` and `reads_codes` are in run.json and left as they
+/// are. A trajectory that was cut short has fewer frames than the recording. Throws Error with file and line
+/// on a frame out of order, a time that is not the recording's, an unknown target or report, a number that is
+/// not finite.
 void read_trajectory(std::istream& in, const std::string& file, const Recording& recording,
                      Trajectory& trajectory);
 

@@ -59,7 +59,8 @@ struct Judgement {
   double error_px = std::numeric_limits<double>::quiet_NaN();  ///< e of that sighting, where visible
   friend bool operator==(const Judgement& a, const Judgement& b) {
     return a.verdict == b.verdict && a.hold == b.hold && a.uncoded == b.uncoded && a.failed == b.failed &&
-           a.sighting == b.sighting && (a.error_px == b.error_px || (a.error_px != a.error_px && b.error_px != b.error_px));
+           a.sighting == b.sighting &&
+           (a.error_px == b.error_px || (a.error_px != a.error_px && b.error_px != b.error_px));
   }
 };
 

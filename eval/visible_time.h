@@ -14,8 +14,8 @@ struct VisibleInterval {
 };
 
 /// Visible time of a target: an interval between consecutive labelled frames counts when both are visible and
-/// it is at most 0.5 s or holds no unlabelled frame; never over a pause, and not when it begins at a frame that
-/// is NotStarted or Given. In order, without overlap.
+/// it is at most 0.5 s or holds no unlabelled frame; never over a pause, and not when it begins at a frame
+/// that is NotStarted or Given. In order, without overlap.
 std::vector<VisibleInterval> visible_time(const Recording& recording, std::size_t target,
                                           std::span<const Judgement> judgements);
 
@@ -25,7 +25,8 @@ Duration fresh_time(std::span<const VisibleInterval> visible, std::span<const Ti
 /// Visible time spent in `state`.
 Duration time_in(State state, std::span<const VisibleInterval> visible, std::span<const State> states);
 
-/// Whether a frame enters recognition: visible, and not NotStarted, Given or Dropped. A perfect method Hits it.
+/// Whether a frame enters recognition: visible, and not NotStarted, Given or Dropped. A perfect method Hits
+/// it.
 bool could_hit(const TargetTruth& truth, Verdict verdict);
 
 /// The states of a perfect method on the same frames, given the same boxes.

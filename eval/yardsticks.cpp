@@ -17,7 +17,9 @@ class Oracle final : public Method {
   explicit Oracle(const Recording& recording) : recording_(recording) {}
 
   bool takes_boxes() const override { return true; }
-  void start(const Frame& frame, const Target& target, const Box&) override { started_[target.id] = frame.index; }
+  void start(const Frame& frame, const Target& target, const Box&) override {
+    started_[target.id] = frame.index;
+  }
 
   Sightings locate(const Frame& frame) override {
     Sightings all;
@@ -25,9 +27,11 @@ class Oracle final : public Method {
       const Target& target = recording_.targets[t];
       const TargetTruth& truth = recording_.truth_of(static_cast<std::size_t>(frame.index), t);
       const auto started = started_.find(target.id);
-      if (truth.label != Label::visible || (started != started_.end() && started->second == frame.index)) continue;
+      if (truth.label != Label::visible || (started != started_.end() && started->second == frame.index))
+        continue;
       Sighting seen = sighting_of(*truth.outline);
-      if (truth.centre_projected) seen.centre = *truth.centre_projected, seen.centre_kind = CentreKind::projected;
+      if (truth.centre_projected)
+        seen.centre = *truth.centre_projected, seen.centre_kind = CentreKind::projected;
       seen.code = target.code;
       seen.track = target.id;
       all.push_back(seen);

@@ -100,7 +100,8 @@ Description read_description(const std::filesystem::path& folder) {
   }
   const Table root(parsed, file, {"name", "rate_hz", "period_ns", "width", "height", "sigma_px", "target"});
   if (const auto name = root.word("name")) description.name = *name;
-  if (const auto rate = root.positive("rate_hz")) description.period = period_of(*rate);
+  description.rate_hz = root.positive("rate_hz");
+  if (description.rate_hz) description.period = period_of(*description.rate_hz);
   if (const auto period = root.positive("period_ns")) description.period = Duration(std::llround(*period));
   const auto width = root.positive("width"), height = root.positive("height");
   if (width && height) description.picture = Size{static_cast<int>(*width), static_cast<int>(*height)};

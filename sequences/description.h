@@ -26,6 +26,7 @@ struct Description {
     std::optional<double> sigma_px;
   };
   std::string name;
+  std::optional<double> rate_hz;   ///< stated
   std::optional<Duration> period;  ///< stated: from rate_hz, or period_ns where whole nanoseconds matter
   std::optional<Size> picture;     ///< width, height: only where no pictures are at hand
   double sigma_px = 0;

@@ -22,9 +22,10 @@ constexpr std::int64_t kPaperGapSlots = 4;
 constexpr double kPaper6sRatio = 0.61080;
 
 [[noreturn]] void refuse(std::string_view text, std::string_view why) {
-  throw Error(fmt::format("the gap pattern \"{}\" {}; patterns are none, paper, paper-6s, bernoulli(p), "
-                          "gilbert-elliott(p,r), periodic(n,k), trace(file) and fps(n)",
-                          text, why));
+  throw Error(
+      fmt::format("the gap pattern \"{}\" {}; patterns are none, paper, paper-6s, bernoulli(p), "
+                  "gilbert-elliott(p,r), periodic(n,k), trace(file) and fps(n)",
+                  text, why));
 }
 
 struct Call {
@@ -92,7 +93,8 @@ Schedule by_slots(std::span<const Time> captured, Duration period, SlotLoss next
   Schedule schedule(captured.size());
   for (std::size_t i = 1; i < captured.size(); ++i) {
     bool lost = false;
-    for (std::int64_t slot = slots(captured[i] - captured[i - 1], period); slot > 0; --slot) lost = next_is_lost();
+    for (std::int64_t slot = slots(captured[i] - captured[i - 1], period); slot > 0; --slot)
+      lost = next_is_lost();
     if (lost) schedule.drop(i);
   }
   return schedule;
@@ -154,8 +156,11 @@ Schedule GapPattern::apply(std::span<const Time> captured, Duration period, std:
   Random random = Random(seed).fork(0x67617073);  // "gaps": apart from whatever else the seed serves
   Schedule schedule(captured.size());
   switch (kind_) {
-    case Kind::none: break;
-    case Kind::fps: schedule = at_rate(captured, a_); break;
+    case Kind::none:
+      break;
+    case Kind::fps:
+      schedule = at_rate(captured, a_);
+      break;
     case Kind::paper:
       schedule = by_slots(captured, period,
                           between([&] { return random.chance(kPaperGapShare) ? kPaperGapSlots : 1; }));
@@ -168,10 +173,13 @@ Schedule GapPattern::apply(std::span<const Time> captured, Duration period, std:
       schedule = by_slots(captured, period, between([&] { return intervals_[at++ % intervals_.size()]; }));
       break;
     }
-    case Kind::bernoulli: schedule = by_slots(captured, period, [&] { return random.chance(a_); }); break;
+    case Kind::bernoulli:
+      schedule = by_slots(captured, period, [&] { return random.chance(a_); });
+      break;
     case Kind::gilbert_elliott: {
       bool burst = false;
-      schedule = by_slots(captured, period, [&] { return burst = burst ? !random.chance(b_) : random.chance(a_); });
+      schedule =
+          by_slots(captured, period, [&] { return burst = burst ? !random.chance(b_) : random.chance(a_); });
       break;
     }
     case Kind::periodic: {

@@ -66,7 +66,8 @@ std::vector<Time> steady_times(std::size_t frames, Duration period) {
 /// Times at a stated rate: rounded each by itself, so that no rounding adds up.
 std::vector<Time> steady_times(std::size_t frames, double rate_hz) {
   std::vector<Time> times;
-  for (std::size_t i = 0; i < frames; ++i) times.push_back(Time{from_seconds(static_cast<double>(i) / rate_hz)});
+  for (std::size_t i = 0; i < frames; ++i)
+    times.push_back(Time{from_seconds(static_cast<double>(i) / rate_hz)});
   return times;
 }
 
@@ -138,7 +139,7 @@ class ImageFolder final : public FrameSource {
 }  // namespace
 
 bool is_picture(const fs::path& path) {
-  static const std::vector<std::string> endings{".jpg", ".jpeg", ".png", ".bmp", ".pgm",
+  static const std::vector<std::string> endings{".jpg", ".jpeg", ".png",  ".bmp", ".pgm",
                                                 ".ppm", ".tif",  ".tiff", ".webp"};
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
@@ -161,16 +162,17 @@ std::unique_ptr<FrameSource> open_image_folder(const fs::path& folder, const Des
       throw Error(fmt::format("{}: there are {} times for {} pictures in {}", path.string(),
                               stamps.captured.size(), pictures.size(), images.string()));
     captured = std::move(stamps.captured);
-  } else if (rate_hz) {
-    captured = steady_times(pictures.size(), *rate_hz);
+  } else if (const auto rate = rate_hz ? rate_hz : description.rate_hz) {
+    captured = steady_times(pictures.size(), *rate);
   } else if (description.period) {
     captured = steady_times(pictures.size(), *description.period);
   }
   if (pictures.empty()) throw Error(fmt::format("{} holds no pictures", images.string()));
   if (captured.empty())
-    throw Error(fmt::format("{} says nothing of time: add timestamps.csv, or rate_hz to recording.toml, or "
-                            "--rate",
-                            folder.string()));
+    throw Error(
+        fmt::format("{} says nothing of time: add timestamps.csv, or rate_hz to recording.toml, or "
+                    "--rate",
+                    folder.string()));
   return std::make_unique<ImageFolder>(std::move(pictures), std::move(captured));
 }
 

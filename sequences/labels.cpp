@@ -15,10 +15,9 @@ namespace relock {
 namespace {
 
 constexpr int kDecimals = 4;
-const std::vector<std::string> kPlainColumns{"frame",    "target",           "label",
-                                             "projected_x", "projected_y",   "visible_fraction",
-                                             "occluded_fraction", "blur_x",  "blur_y",
-                                             "tilt_deg", "sigma_px"};
+const std::vector<std::string> kPlainColumns{
+    "frame",  "target", "label",    "projected_x", "projected_y", "visible_fraction", "occluded_fraction",
+    "blur_x", "blur_y", "tilt_deg", "sigma_px"};
 
 std::vector<std::string> all_columns() {
   auto names = kPlainColumns;
@@ -51,9 +50,10 @@ class LabelReader {
   std::size_t read_frame() {
     const std::int64_t frame = rows_.whole(frame_);
     if (frame < 0 || frame >= static_cast<std::int64_t>(recording_.frames()))
-      rows_.fail(fmt::format("frame {} does not exist in {} (it has {} frames, from 0); were these labels made "
-                             "for another recording?",
-                             frame, recording_.name, recording_.frames()));
+      rows_.fail(
+          fmt::format("frame {} does not exist in {} (it has {} frames, from 0); were these labels made "
+                      "for another recording?",
+                      frame, recording_.name, recording_.frames()));
     return static_cast<std::size_t>(frame);
   }
 
@@ -75,7 +75,8 @@ class LabelReader {
   }
 
   std::string only_target() const {
-    if (description_.targets.size() > 1) rows_.fail("there are several targets; say which one in column target");
+    if (description_.targets.size() > 1)
+      rows_.fail("there are several targets; say which one in column target");
     return description_.targets.empty() ? "target" : description_.targets[0].target.id;
   }
 
@@ -90,7 +91,8 @@ class LabelReader {
     truth.outline = outlines_.read(rows_);
     truth.centre_projected = read_vector(projected_x_, projected_y_);
     if (!truth.centre_projected && truth.outline)
-      if (const auto* quad = std::get_if<Quad>(&*truth.outline)) truth.centre_projected = diagonals_meet(*quad);
+      if (const auto* quad = std::get_if<Quad>(&*truth.outline))
+        truth.centre_projected = diagonals_meet(*quad);
     truth.occluded_fraction = read_fraction(occluded_fraction_).value_or(0);
     const double inside = truth.outline ? share_inside(*truth.outline, picture_box(recording_.picture)) : 0;
     truth.visible_fraction =
@@ -125,10 +127,10 @@ class LabelReader {
 
   std::string outside(const Outline& outline) const {
     const Box box = bounds(outline);
-    return fmt::format("the target at x {:.1f} to {:.1f}, y {:.1f} to {:.1f} lies outside the picture of {}x{}; "
-                       "write label absent if that is meant, or were these labels made for another recording?",
-                       box.x, box.right(), box.y, box.bottom(), recording_.picture.width,
-                       recording_.picture.height);
+    return fmt::format(
+        "the target at x {:.1f} to {:.1f}, y {:.1f} to {:.1f} lies outside the picture of {}x{}; "
+        "write label absent if that is meant, or were these labels made for another recording?",
+        box.x, box.right(), box.y, box.bottom(), recording_.picture.width, recording_.picture.height);
   }
 
   std::optional<Vec2> read_vector(CsvReader::Column x, CsvReader::Column y) const {

@@ -34,7 +34,8 @@ struct LabelLimits {
 void read_labels(std::istream& in, const std::string& file, const Description& description,
                  const LabelLimits& limits, Recording& recording);
 
-/// Writes labels.csv, every column, so that `read_labels` gives the same truth to a ten-thousandth of a pixel.
+/// Writes labels.csv, every column, so that `read_labels` gives the same truth to a ten-thousandth of a
+/// pixel.
 void write_labels(std::ostream& out, const Recording& recording);
 
 }  // namespace relock

@@ -129,7 +129,8 @@ void write_truth(const fs::path& folder, const Recording& recording) {
 Recording read_truth(const fs::path& folder) {
   const Description description = read_description(folder);
   if (!description.picture || !description.period)
-    throw Error(fmt::format("{} must state width, height and period_ns", (folder / "recording.toml").string()));
+    throw Error(
+        fmt::format("{} must state width, height and period_ns", (folder / "recording.toml").string()));
   Recording recording;
   recording.name = description.name;
   recording.picture = *description.picture;

@@ -26,15 +26,13 @@ void add_opencv(Registry<TrackerEntry>& registry) {
 
 void add_yardsticks(Registry<TrackerEntry>& registry) {
   registry.add({.name = "still",
-                .sentence = "yardstick: says the start box for ever",
+                .sentence = "says the start box for ever",
                 .make = [](const Options&, std::uint64_t) { return still_tracker(); }});
-  registry.add(
-      {.name = "linear",
-       .sentence =
-           "yardstick: moves the start box at the velocity that matching the start patch in the first "
-           "frames gives",
-       .options = linear_option_list(),
-       .make = [](const Options& o, std::uint64_t) { return linear_tracker(linear_options(o)); }});
+  registry.add({.name = "linear",
+                .sentence = "moves the start box at the velocity that matching the start patch in the first "
+                            "frames gives",
+                .options = linear_option_list(),
+                .make = [](const Options& o, std::uint64_t) { return linear_tracker(linear_options(o)); }});
 }
 
 }  // namespace

@@ -11,7 +11,11 @@
 namespace relock {
 namespace {
 
-constexpr std::uint64_t kSeeds = 5000;
+#ifdef __SANITIZE_ADDRESS__
+constexpr std::uint64_t kSeeds = 500;  // ten times as slow
+#else
+constexpr std::uint64_t kSeeds = 10000;
+#endif
 constexpr int kEnough = 10;  // disagreements told before the test gives up
 
 // --- Readable timelines.

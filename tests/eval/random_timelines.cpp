@@ -105,11 +105,14 @@ Recording some_recording(Random& random) {
   recording.name = "random";
   recording.picture = {200, 150};
   const int frames = random.chance(0.1) ? between(random, 1, 8) : between(random, 40, 120);
-  const Duration period =
-      one_of<Duration>(random, {Duration(33'333'333), Duration(33'333'334), std::chrono::milliseconds(40),
-                                std::chrono::milliseconds(100)});
-  recording.captured = capture_times(random, frames, period);
-  recording.period = frames > 1 && random.chance(0.5) ? nominal_period(recording.captured) : period;
+  const Duration step =
+      one_of<Duration>(random, {Duration(33'333'333), Duration(33'333'334), std::chrono::milliseconds(30),
+                                std::chrono::milliseconds(40), std::chrono::milliseconds(100)});
+  recording.captured = capture_times(random, frames, step);
+  recording.period = step;
+  if (frames > 1 && random.chance(0.5)) recording.period = nominal_period(recording.captured);
+  // Stated otherwise: 2 intervals are 1.5 T, or 3 are 2.5 T, to the nanosecond.
+  if (random.chance(0.2)) recording.period = random.chance(0.5) ? 4 * step / 3 : 6 * step / 5;
 
   const int targets = one_of(random, {1, 1, 1, 2, 2, 3, 4});
   recording.truth.resize(static_cast<size_t>(frames * targets));

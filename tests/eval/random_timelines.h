@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "eval/recording.h"
+#include "core/recording.h"
 #include "eval/trajectory.h"
 
 namespace relock {

@@ -1,3 +1,0 @@
-#pragma once
-#include "core/recording.h"
-#include "eval/definitions.h"
