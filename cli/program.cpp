@@ -62,6 +62,7 @@ void add_timeline(CLI::App& app, TimelineArguments& a) {
   CLI::App& verb =
       *app.add_subcommand("timeline", "Show when each method had the target, lost it and had it back");
   verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
+  verb.add_option("--target", a.target, "only this target");
   verb.add_flag("--ascii", a.ascii, "letters only, without colour");
   add_gate(verb, a.gate);
 }

@@ -7,6 +7,8 @@
 #include "cli/comparison.h"
 #include "cli/terminal.h"
 #include "cli/verbs.h"
+#include "core/error.h"
+#include "core/nearest.h"
 #include "eval/timeline_text.h"
 
 namespace relock {
@@ -56,6 +58,19 @@ void print_target(const ScoredComparison& scored, std::size_t t, TimelineStyle s
   fmt::print("  {:{}}  {}\n", "", name_columns, marks);
 }
 
+std::vector<std::size_t> wanted_targets(const Recording& recording, const std::optional<TargetId>& only) {
+  std::vector<std::size_t> wanted;
+  std::vector<std::string> ids;
+  for (std::size_t t = 0; t < recording.targets.size(); ++t) {
+    ids.push_back(recording.targets[t].id);
+    if (!only || ids.back() == *only) wanted.push_back(t);
+  }
+  if (wanted.empty())
+    throw Error(fmt::format("{} has no target \"{}\"{}", recording.name, only.value_or(""),
+                            did_you_mean(only.value_or(""), ids)));
+  return wanted;
+}
+
 }  // namespace
 
 int timeline(const TimelineArguments& arguments) {
@@ -68,7 +83,7 @@ int timeline(const TimelineArguments& arguments) {
     const ScoredComparison compared = scored(std::move(comparison), gate);
     fmt::print("{}{}\n", first ? "" : "\n", heading(compared.stored, gate));
     first = false;
-    for (std::size_t t = 0; t < compared.stored.recording.targets.size(); ++t)
+    for (const std::size_t t : wanted_targets(compared.stored.recording, arguments.target))
       print_target(compared, t, style, out.width);
   }
   fmt::print("\n  {}\n", legend(style));

@@ -35,6 +35,7 @@ int score(const ScoreArguments& arguments);
 struct TimelineArguments {
   std::filesystem::path folder;
   std::string gate = "centre";
+  std::optional<std::string> target;  ///< only this one
   bool ascii = false;
 };
 int timeline(const TimelineArguments& arguments);
