@@ -14,10 +14,6 @@ namespace {
 
 const std::vector<std::string> kYardsticks{"mute", "still", "linear", "oracle"};
 
-bool is_yardstick(const std::string& name) {
-  return std::find(kYardsticks.begin(), kYardsticks.end(), name) != kYardsticks.end();
-}
-
 ChosenMethod base(const MethodSpec& spec, const Options& options) {
   ChosenMethod chosen;
   chosen.text = spec.text();
@@ -61,6 +57,10 @@ ChosenMethod choose_end_of_scale(const MethodSpec& spec) {
 }
 
 }  // namespace
+
+bool is_yardstick(const std::string& name) {
+  return std::find(kYardsticks.begin(), kYardsticks.end(), name) != kYardsticks.end();
+}
 
 bool ChosenMethod::asked_about(const Target& target) const {
   if (reads.empty()) return true;

@@ -28,6 +28,9 @@ struct ChosenMethod {
   bool asked_about(const Target& target) const;
 };
 
+/// mute, still, linear and oracle.
+bool is_yardstick(const std::string& name);
+
 /// Names of all methods, yardsticks too.
 std::vector<std::string> method_names(const Methods& methods);
 

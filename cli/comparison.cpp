@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/error.h"
+
 namespace relock {
 namespace {
 
@@ -47,6 +49,24 @@ ScoredComparison scored(StoredComparison stored, const Gate& gate) {
       result.common[run][t] = localize_common(result, run, t, common);
   }
   return result;
+}
+
+Gate gate_of(const StoredComparison& comparison, const std::optional<std::string>& asked) {
+  const std::string& of_resets = comparison.runs.front().record.gate;
+  const Gate gate = asked ? parse_gate(*asked) : of_resets == to_string(Gate::iou()) ? Gate::iou() : Gate{};
+  if (!of_resets.empty() && of_resets != to_string(gate))
+    throw Error(fmt::format("the resets in {} were judged by the gate {}; leave out --gate {}",
+                            comparison.folder.string(), of_resets, asked.value_or("")));
+  return gate;
+}
+
+void print_end_of_recording(const StoredComparison& comparison) {
+  for (const StoredRun& run : comparison.runs) {
+    if (!run.record.cut_short) continue;
+    fmt::print("  the recording could not be read beyond frame {}: {}\n", run.record.cut_short->frame,
+               run.record.cut_short->what);
+    return;
+  }
 }
 
 std::string heading(const StoredComparison& comparison, const Gate& gate) {

@@ -21,6 +21,13 @@ struct ScoredComparison {
 
 ScoredComparison scored(StoredComparison stored, const Gate& gate);
 
+/// The gate to judge runs by: `asked`, else the one by which protocol reset judged losses, else centre.
+/// Throws Error when resets were judged by another one than `asked`.
+Gate gate_of(const StoredComparison& comparison, const std::optional<std::string>& asked);
+
+/// Says where and why the recording could not be read on, if that is so.
+void print_end_of_recording(const StoredComparison& comparison);
+
 /// "klahaag, as recorded, protocol once, gate centre 0.25 D, hold 0.5 D".
 std::string heading(const StoredComparison& comparison, const Gate& gate);
 

@@ -60,7 +60,7 @@ void print_json(const Detection& d) {
                   {"height", d.size.height},
                   {"sightings", sightings},
                   {"ms", std::round(d.ms * 1000) / 1000}};
-  fmt::print("{}\n", line.dump());
+  fmt::print("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 void print_text(const Detection& d) {
@@ -124,7 +124,20 @@ void write_drawing(const std::filesystem::path& path, const cv::Mat& picture) {
   } catch (const cv::Exception&) {  // an ending that OpenCV does not know
   }
   if (!written)
-    throw Error(fmt::format("{} cannot be written; give a name that ends in .png or .jpg", path.string()));
+    throw Error(fmt::format(
+        "{} cannot be written; is its folder there, and does its name end in .png or .jpg?", path.string()));
+}
+
+cv::Mat read_picture(const std::string& name) {
+  cv::Mat picture;
+  try {
+    picture = cv::imread(name, cv::IMREAD_ANYCOLOR);
+  } catch (const cv::Exception&) {  // larger than OpenCV takes
+  }
+  if (picture.empty())
+    throw Error(fmt::format(
+        "{} {}", name, std::filesystem::exists(name) ? "is no picture that can be read" : "does not exist"));
+  return picture;
 }
 
 }  // namespace
@@ -137,11 +150,7 @@ int detect(const DetectArguments& arguments, const Methods& methods) {
   const auto detector = entry.make(options, 1);
   for (std::size_t i = 0; i < arguments.images.size(); ++i) {
     const std::string name = arguments.images[i].string();
-    const cv::Mat picture = cv::imread(name, cv::IMREAD_ANYCOLOR);
-    if (picture.empty())
-      throw Error(
-          fmt::format("{} {}", name,
-                      std::filesystem::exists(name) ? "is no picture that can be read" : "does not exist"));
+    const cv::Mat picture = read_picture(name);
     const auto begun = std::chrono::steady_clock::now();
     Detection detection{name, {picture.cols, picture.rows}, detector->detect(view(picture)), 0};
     detection.ms =

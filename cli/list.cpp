@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "cli/terminal.h"
+#include "cli/catalogue.h"
 #include "cli/verbs.h"
 
 namespace relock {
@@ -21,7 +22,7 @@ std::vector<Row> rows(const Methods& methods) {
   for (const auto& d : methods.detectors.entries())
     all.push_back({"detector", d.name, d.sentence, d.options});
   for (const auto& t : methods.trackers.entries()) {
-    const bool yardstick = t.name == "still" || t.name == "linear";
+    const bool yardstick = is_yardstick(t.name);
     const std::string sentence = t.sentence + (t.deterministic ? "" : " (answers differ from run to run)");
     all.push_back({yardstick ? "yardstick" : "tracker", t.name, sentence, t.options});
   }
@@ -43,7 +44,7 @@ void print_json(const std::vector<Row>& all) {
     json.push_back(
         {{"name", row.name}, {"kind", row.kind}, {"sentence", row.sentence}, {"options", options}});
   }
-  fmt::print("{}\n", json.dump(2));
+  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 }  // namespace

@@ -26,17 +26,20 @@ struct Arguments {
   ListArguments list;
 };
 
-void add_gate(CLI::App& verb, std::string& gate) {
-  verb.add_option("--gate", gate,
-                  "when an answer is a Hit: centre (within 0.25 D) or iou (overlap of boxes at least 0.5)")
-      ->capture_default_str();
+template <class Text>
+CLI::Option* add_gate(CLI::App& verb, Text& gate, const std::string& when) {
+  return verb.add_option("--gate", gate,
+                         when + ": centre (within 0.25 D) or iou (overlap of boxes at least 0.5)");
 }
 
 void add_run(CLI::App& app, RunArguments& a) {
   CLI::App& verb = *app.add_subcommand("run", "Show a recording to methods and write down what they say");
-  verb.add_option("--sequence", a.sequence, "the recording: a folder of pictures")->required();
+  verb.add_option(
+          "--sequence", a.sequence,
+          "the recording: a folder of pictures, or one that relock comes with (klahaag, klahaag-prints)")
+      ->capture_default_str();
   verb.add_option("--labels", a.labels, "its labels; else labels.csv in the recording's folder");
-  verb.add_option("--rate", a.rate_hz, "Hz, for a recording that states no times");
+  verb.add_option("--rate", a.rate_hz, "nominal rate, Hz; also makes the times of a recording that has none");
   verb.add_option("--methods", a.methods, "names, separated by commas: kcf,aruco,csrt(psr_threshold=0.05)")
       ->required();
   verb.add_option("--protocol", a.protocol, "once, reset (start again after a loss) or detect (no start)")
@@ -46,7 +49,7 @@ void add_run(CLI::App& app, RunArguments& a) {
                   "periodic(n,k), trace(file) or fps(n)")
       ->capture_default_str();
   verb.add_option("--seed", a.seed, "of everything drawn at random")->capture_default_str();
-  add_gate(verb, a.gate);
+  add_gate(verb, a.gate, "protocol reset: when an answer is a Hit")->capture_default_str();
   verb.add_option("--out", a.out, "folder for the results")->capture_default_str();
 }
 
@@ -55,7 +58,7 @@ void add_score(CLI::App& app, ScoreArguments& a) {
       *app.add_subcommand("score", "Score runs: recognition, availability, losses, recovery, exactness");
   verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
   verb.add_flag("--json", a.json, "print scores as JSON");
-  add_gate(verb, a.gate);
+  add_gate(verb, a.gate, "when an answer is a Hit");
 }
 
 void add_timeline(CLI::App& app, TimelineArguments& a) {
@@ -64,7 +67,7 @@ void add_timeline(CLI::App& app, TimelineArguments& a) {
   verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
   verb.add_option("--target", a.target, "only this target");
   verb.add_flag("--ascii", a.ascii, "letters only, without colour");
-  add_gate(verb, a.gate);
+  add_gate(verb, a.gate, "when an answer is a Hit");
 }
 
 void add_detect(CLI::App& app, DetectArguments& a) {
@@ -130,7 +133,9 @@ int run_program(int argc, char** argv, const Methods& methods) {
   try {
     check_verb(argc, argv, app);
     app.parse(argc, argv);
-    return dispatch(app, arguments, methods);
+    const int status = dispatch(app, arguments, methods);
+    if (std::fflush(stdout) != 0) return complain("the output cannot be written; is the disk full?");
+    return status;
   } catch (const CLI::Success& wanted) {  // --help, --version
     return app.exit(wanted);
   } catch (const CLI::ParseError& fault) {
@@ -141,6 +146,8 @@ int run_program(int argc, char** argv, const Methods& methods) {
     return complain(fmt::format("{} ({})", fault.path1().string(), fault.code().message()));
   } catch (const std::bad_alloc&) {
     return complain("there is not enough memory");
+  } catch (const std::exception& fault) {  // of a library, on input that nobody thought of
+    return complain(fault.what());
   }
 }
 

@@ -64,6 +64,12 @@ void check_labels(const Sequence& sequence, const RunArguments& arguments) {
   throw Error(fmt::format("no target of {} is ever visible, so there is nothing to score", recording.name));
 }
 
+/// The folder of a recording: as given, or of that name among those that relock comes with.
+std::filesystem::path recording_folder(const std::filesystem::path& given) {
+  const auto embedded = std::filesystem::path(RELOCK_RECORDINGS) / given;
+  return !std::filesystem::exists(given) && std::filesystem::exists(embedded) ? embedded : given;
+}
+
 std::vector<bool> asked(const ChosenMethod& method, const Recording& recording) {
   std::vector<bool> all;
   for (const Target& target : recording.targets) all.push_back(method.asked_about(target));
@@ -88,7 +94,7 @@ RunRecord record_of(const Plan& plan, const ChosenMethod& method) {
     if (!plan.schedule.delivered(frame)) record.dropped.push_back(static_cast<FrameIndex>(frame));
   record.seed = plan.seed;
   record.protocol = plan.protocol;
-  record.gate = to_string(plan.gate);
+  if (plan.protocol == Protocol::reset) record.gate = to_string(plan.gate);
   record.yardstick = method.yardstick;
   record.reads_codes = method.reads_codes;
   record.deterministic = method.deterministic;
@@ -115,6 +121,7 @@ std::optional<Failure> run_one(const Plan& plan, const ChosenMethod& method) {
   RunRecord record = record_of(plan, method);
   const auto folder = run_folder(plan.out, record);
   auto targets = asked(method, plan.sequence.recording);
+  check_comparison(folder, record);
   if (already_run(folder, record)) {
     fmt::print("{}  kept: the same run is there already\n", padded(method.text, 12));
     return {};
@@ -154,17 +161,19 @@ void print_recording(const Plan& plan) {
 int run(const RunArguments& arguments, const Methods& methods) {
   cv::setNumThreads(1);  // the same bytes and comparable times on any machine
   const Protocol protocol = parse_protocol(arguments.protocol);
+  const Gate gate = parse_gate(arguments.gate);
   const auto chosen = chosen_methods(arguments, methods, protocol);
   GapPattern gaps = GapPattern::parse(arguments.gaps);
-  Sequence sequence = open_sequence(arguments.sequence, {arguments.labels, arguments.rate_hz, {}});
+  Sequence sequence =
+      open_sequence(recording_folder(arguments.sequence), {arguments.labels, arguments.rate_hz, {}});
   check_labels(sequence, arguments);
   for (const ChosenMethod& method : chosen) asked(method, sequence.recording);
   const Schedule schedule = gaps.apply(sequence.recording.captured, sequence.recording.period, arguments.seed,
                                        start_frames(sequence.recording));
   prepare_results(arguments.out);
   store_truth(arguments.out, sequence.recording, sequence.fingerprint);
-  const Plan plan{std::move(sequence),        std::move(gaps), schedule,     protocol,
-                  parse_gate(arguments.gate), arguments.seed,  arguments.out};
+  const Plan plan{std::move(sequence), std::move(gaps), schedule, protocol, gate,
+                  arguments.seed,      arguments.out};
 
   print_recording(plan);
   bool failed = false;

@@ -40,7 +40,7 @@ Json inputs_json(const RunRecord& r) {
           {"dropped", r.dropped},
           {"seed", r.seed},
           {"protocol", to_string(r.protocol)},
-          {"gate", r.protocol == Protocol::reset ? Json(r.gate) : Json()}};
+          {"gate", r.gate.empty() ? Json() : Json(r.gate)}};
 }
 
 Json to_json(const RunRecord& r) {
@@ -103,7 +103,7 @@ std::string read_file(const fs::path& path) {
 RunRecord read_record(const fs::path& path) {
   try {
     return record_from(Json::parse(read_file(path)));
-  } catch (const Json::exception& fault) {
+  } catch (const std::exception& fault) {
     throw Error(fmt::format("{} is no run.json of this relock ({}); remove its folder and run again",
                             path.string(), fault.what()));
   }
@@ -180,6 +180,32 @@ StoredRun read_run(const fs::path& folder, const Recording& recording) {
 /// The recordings/ folder that belongs to a comparison.
 fs::path truth_folder(const fs::path& comparison) { return comparison.parent_path() / "recording"; }
 
+/// What must be the same for runs to stand in one table: the inputs but the method and the program.
+Json conditions(const RunRecord& record) {
+  Json inputs = inputs_json(record);
+  for (const char* own : {"relock", "opencv", "method", "options"}) inputs.erase(own);
+  return inputs;
+}
+
+void check_conditions(const fs::path& folder, const RunRecord& a, const RunRecord& b) {
+  if (conditions(a) == conditions(b)) return;
+  throw Error(fmt::format(
+      "{} holds runs under other conditions (gaps {}, seed {}{}; not {}, seed {}{}, or the recording "
+      "changed); choose another --out or remove it",
+      folder.string(), a.gaps, a.seed, a.gate.empty() ? "" : ", gate " + a.gate, b.gaps, b.seed,
+      b.gate.empty() ? "" : ", gate " + b.gate));
+}
+
+std::vector<fs::path> runs_in(const fs::path& comparison) {
+  std::vector<fs::path> runs;
+  if (!fs::is_directory(comparison)) return runs;
+  for (const auto& entry : fs::directory_iterator(comparison)) {
+    const bool draft = entry.path().filename().string().starts_with(".");
+    if (!draft && fs::exists(entry.path() / "run.json")) runs.push_back(entry.path());
+  }
+  return runs;
+}
+
 StoredComparison read_comparison(const fs::path& folder, std::vector<fs::path> run_folders) {
   const fs::path truth = truth_folder(folder);
   if (!fs::exists(truth))
@@ -188,6 +214,8 @@ StoredComparison read_comparison(const fs::path& folder, std::vector<fs::path> r
   StoredComparison comparison{folder, read_truth(truth), {}};
   std::sort(run_folders.begin(), run_folders.end());
   for (const fs::path& run : run_folders) comparison.runs.push_back(read_run(run, comparison.recording));
+  for (const StoredRun& run : comparison.runs)
+    check_conditions(folder, comparison.runs.front().record, run.record);
   std::stable_partition(comparison.runs.begin(), comparison.runs.end(),
                         [](const StoredRun& run) { return !run.record.yardstick; });
   // Runs that were cut short end where the recording could not be read on: all of them are scored to there.
@@ -205,8 +233,7 @@ bool RunRecord::same_inputs(const RunRecord& other) const { return inputs_json(*
 void prepare_results(const fs::path& out) {
   if (fs::exists(out) && !fs::is_directory(out))
     throw Error(fmt::format("{} is a file; results need a folder", out.string()));
-  if (fs::exists(out / kMarker)) return;
-  if (fs::exists(out) && !fs::is_empty(out))
+  if (fs::exists(out) && !fs::is_empty(out) && !fs::exists(out / kMarker))
     throw Error(fmt::format("{} holds files that are not relock's; choose another --out", out.string()));
   make_folder(out);
   write_file(out / kMarker, "{\"format\": 1}\n");
@@ -233,6 +260,12 @@ fs::path run_folder(const fs::path& out, const RunRecord& record) {
          slug(record.method);
 }
 
+void check_comparison(const fs::path& run_folder, const RunRecord& record) {
+  const fs::path comparison = run_folder.parent_path();
+  for (const fs::path& run : runs_in(comparison))
+    check_conditions(comparison, read_record(run / "run.json"), record);
+}
+
 bool already_run(const fs::path& folder, const RunRecord& record) {
   if (!fs::exists(folder / "run.json")) return false;
   const RunRecord there = read_record(folder / "run.json");
@@ -247,7 +280,7 @@ void store_run(const fs::path& folder, const RunRecord& record, const Recording&
   write_trajectory(trajectory, recording, replay.trajectory);
   write_file(draft / "trajectory.csv", trajectory.str());
   write_file(draft / "timing.csv", timing_csv(replay.costs));
-  write_file(draft / "run.json", to_json(record).dump(2) + "\n");
+  write_file(draft / "run.json", to_json(record).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   put_in_place(draft, folder);
 }
 

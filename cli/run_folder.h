@@ -30,7 +30,7 @@ struct RunRecord {
   std::vector<FrameIndex> dropped;             ///< frames that the pattern took
   std::uint64_t seed = 1;
   Protocol protocol = Protocol::once;
-  std::string gate;  ///< by which protocol reset judged losses
+  std::string gate;  ///< by which protocol reset judged losses; empty otherwise
 
   // What it was.
   bool yardstick = false;
@@ -69,6 +69,8 @@ void store_truth(const std::filesystem::path& out, const Recording& recording,
 
 /// Where a run belongs.
 std::filesystem::path run_folder(const std::filesystem::path& out, const RunRecord& record);
+/// Throws Error when the runs beside it were made under other conditions: other gaps, seed or gate.
+void check_comparison(const std::filesystem::path& run_folder, const RunRecord& record);
 /// Whether a complete run with the same inputs is there already.
 bool already_run(const std::filesystem::path& folder, const RunRecord& record);
 /// Writes a run, in the place of an older one.

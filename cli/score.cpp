@@ -79,6 +79,7 @@ void print_pooled(const ScoredComparison& compared) {
 }
 
 void print_remarks(const ScoredComparison& compared) {
+  print_end_of_recording(compared.stored);
   for (std::size_t i = 0; i < compared.stored.runs.size(); ++i) {
     const RunRecord& record = compared.stored.runs[i].record;
     const Scores& s = compared.sheets[i].pooled;
@@ -87,9 +88,6 @@ void print_remarks(const ScoredComparison& compared) {
                  record.failures[0].frame, record.failures[0].what, s.failed);
     if (s.spurious > 0) fmt::print("  {}: {} spurious sightings\n", record.method, s.spurious);
     if (s.uncoded > 0) fmt::print("  {}: {} Hits without a code\n", record.method, s.uncoded);
-    if (record.cut_short)
-      fmt::print("  the recording could not be read beyond frame {}: {}\n", record.cut_short->frame,
-                 record.cut_short->what);
     if (!record.deterministic)
       fmt::print("  {} answers differently from run to run: its scores are of one run\n", record.method);
   }
@@ -109,11 +107,11 @@ void store_scores(const ScoredComparison& compared, std::size_t i, const std::st
 }  // namespace
 
 int score(const ScoreArguments& arguments) {
-  const Gate gate = parse_gate(arguments.gate);
   std::vector<std::string> objects;
   bool first = true;
   auto all = read_results(arguments.folder);
   for (StoredComparison& stored : all) {
+    const Gate gate = gate_of(stored, arguments.gate);
     const ScoredComparison compared = scored(std::move(stored), gate);
     for (std::size_t i = 0; i < compared.stored.runs.size(); ++i) {
       objects.push_back(

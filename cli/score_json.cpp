@@ -86,15 +86,16 @@ std::string scores_json(const StoredRun& run, const Recording& recording, const 
                   {"protocol", to_string(run.record.protocol)},
                   {"gate", to_string(gate)},
                   {"period_ns", recording.period.count()},
+                  {"cut_short_at_frame", run.record.cut_short ? Json(run.record.cut_short->frame) : Json()},
                   {"pooled", to_json(sheet.pooled)},
                   {"targets", targets}};
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string json_array(const std::vector<std::string>& objects) {
   Json all = Json::array();
   for (const std::string& object : objects) all.push_back(Json::parse(object));
-  return all.dump(2) + "\n";
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace relock

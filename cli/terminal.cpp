@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <clocale>
 #include <cstdlib>
 #include <cstring>
 
@@ -35,7 +36,8 @@ bool set(const char* variable) {
 Terminal terminal(std::FILE* stream) {
   Terminal found;
   found.is_terminal = isatty(fileno(stream)) == 1;
-  found.unicode = std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
+  std::setlocale(LC_CTYPE, "");  // what letters are; numbers stay as they are
+  found.unicode = found.is_terminal && std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
   const char* term = std::getenv("TERM");
   found.colour = found.is_terminal && !set("NO_COLOR") && term && std::strcmp(term, "dumb") != 0;
   found.width = width_of(stream);

@@ -10,7 +10,7 @@ namespace relock {
 /// What the place that is written to can show.
 struct Terminal {
   bool is_terminal = false;  ///< a person is looking
-  bool unicode = false;      ///< the locale is UTF-8
+  bool unicode = false;      ///< a terminal, and the locale is UTF-8
   bool colour = false;       ///< a terminal, and neither NO_COLOR nor TERM=dumb says otherwise
   int width = 120;           ///< columns; 120 in a pipe, or what COLUMNS says
 };

@@ -58,33 +58,40 @@ void print_target(const ScoredComparison& scored, std::size_t t, TimelineStyle s
   fmt::print("  {:{}}  {}\n", "", name_columns, marks);
 }
 
-std::vector<std::size_t> wanted_targets(const Recording& recording, const std::optional<TargetId>& only) {
-  std::vector<std::size_t> wanted;
+bool wanted(const Target& target, const std::optional<TargetId>& only) { return !only || target.id == *only; }
+
+/// Throws Error when no recording has the target that was asked for.
+void check_target(const std::vector<StoredComparison>& all, const std::optional<TargetId>& only) {
   std::vector<std::string> ids;
-  for (std::size_t t = 0; t < recording.targets.size(); ++t) {
-    ids.push_back(recording.targets[t].id);
-    if (!only || ids.back() == *only) wanted.push_back(t);
+  for (const StoredComparison& comparison : all) {
+    for (const Target& target : comparison.recording.targets) {
+      if (wanted(target, only)) return;
+      ids.push_back(target.id);
+    }
   }
-  if (wanted.empty())
-    throw Error(fmt::format("{} has no target \"{}\"{}", recording.name, only.value_or(""),
-                            did_you_mean(only.value_or(""), ids)));
-  return wanted;
+  throw Error(
+      fmt::format("there is no target \"{}\"{}", only.value_or(""), did_you_mean(only.value_or(""), ids)));
 }
 
 }  // namespace
 
 int timeline(const TimelineArguments& arguments) {
-  const Gate gate = parse_gate(arguments.gate);
   const Terminal out = terminal(stdout);
   const TimelineStyle style{60, out.unicode && !arguments.ascii, out.colour && !arguments.ascii};
   bool first = true;
   auto all = read_results(arguments.folder);
-  for (StoredComparison& comparison : all) {
-    const ScoredComparison compared = scored(std::move(comparison), gate);
+  check_target(all, arguments.target);
+  for (StoredComparison& stored : all) {
+    const Gate gate = gate_of(stored, arguments.gate);
+    const ScoredComparison compared = scored(std::move(stored), gate);
+    const auto& targets = compared.stored.recording.targets;
+    const auto shown = [&](const Target& target) { return wanted(target, arguments.target); };
+    if (std::none_of(targets.begin(), targets.end(), shown)) continue;
     fmt::print("{}{}\n", first ? "" : "\n", heading(compared.stored, gate));
     first = false;
-    for (const std::size_t t : wanted_targets(compared.stored.recording, arguments.target))
-      print_target(compared, t, style, out.width);
+    for (std::size_t t = 0; t < targets.size(); ++t)
+      if (shown(targets[t])) print_target(compared, t, style, out.width);
+    print_end_of_recording(compared.stored);
   }
   fmt::print("\n  {}\n", legend(style));
   return 0;

@@ -13,7 +13,8 @@
 namespace relock {
 
 struct RunArguments {
-  std::filesystem::path sequence;
+  std::filesystem::path sequence =
+      "klahaag";  ///< a folder, or the name of a recording that relock comes with
   std::optional<std::filesystem::path> labels;
   std::optional<double> rate_hz;
   std::string methods;
@@ -27,14 +28,14 @@ int run(const RunArguments& arguments, const Methods& methods);
 
 struct ScoreArguments {
   std::filesystem::path folder;
-  std::string gate = "centre";
+  std::optional<std::string> gate;  ///< else the one by which resets were judged, else centre
   bool json = false;
 };
 int score(const ScoreArguments& arguments);
 
 struct TimelineArguments {
   std::filesystem::path folder;
-  std::string gate = "centre";
+  std::optional<std::string> gate;    ///< else the one by which resets were judged, else centre
   std::optional<std::string> target;  ///< only this one
   bool ascii = false;
 };

@@ -39,6 +39,16 @@ class Tokenizer {
 
 }  // namespace
 
+std::string csv_cell(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string cell = "\"";
+  for (const char c : text) {
+    if (c == '"') cell += c;
+    cell += c;
+  }
+  return cell + "\"";
+}
+
 CsvReader::CsvReader(std::istream& in, std::string name) : in_(in), name_(std::move(name)) {
   if (!read_record(header_)) throw Error(fmt::format("{}: the file is empty; it needs a header line", name_));
   for (auto cell = header_.begin(); cell != header_.end(); ++cell)

@@ -10,6 +10,9 @@
 
 namespace relock {
 
+/// A text as a CSV cell: quoted where it has to be.
+std::string csv_cell(std::string_view text);
+
 /// Reads a CSV (RFC 4180, one record a line) with a header line, row by row, columns by name. Every fault is
 /// an Error that names file, line and column. Numbers are read without regard to the locale.
 ///

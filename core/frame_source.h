@@ -9,7 +9,7 @@
 namespace relock {
 
 /// A recording, frame by frame. Pixels are decoded only when asked for, and held for one frame at a time, so
-/// memory does not grow with length (but for the eight bytes of each capture time).
+/// memory does not grow with length (but for each picture's capture time and name).
 class FrameSource {
  public:
   virtual ~FrameSource() = default;

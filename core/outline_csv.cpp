@@ -44,6 +44,11 @@ const std::vector<std::string>& outline_columns() {
   return all;
 }
 
+std::vector<std::string> with_outline_columns(std::vector<std::string> others) {
+  others.insert(others.end(), outline_columns().begin(), outline_columns().end());
+  return others;
+}
+
 OutlineColumns::OutlineColumns(const CsvReader& rows)
     : box_(columns(rows, names(0, kBox))),
       quad_(columns(rows, names(kBox, kQuad))),
@@ -64,7 +69,7 @@ std::optional<Outline> OutlineColumns::read(const CsvReader& rows) const {
     set(quad);
   }
   if (const auto v = numbers(rows, ellipse_)) set(Ellipse{{(*v)[0], (*v)[1]}, (*v)[2], (*v)[3], (*v)[4]});
-  if (outline && !well_formed(*outline))
+  if (outline && (!well_formed(*outline) || size_of(*outline) < kSmallestOutline_px))
     rows.fail("the outline has no size, or its axes are in the wrong order");
   return outline;
 }

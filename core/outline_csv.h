@@ -15,8 +15,13 @@
 
 namespace relock {
 
+/// Smaller outlines are none: files have four decimals.
+constexpr double kSmallestOutline_px = 1e-3;
+
 /// Names of all outline columns, in the order in which they are written.
 const std::vector<std::string>& outline_columns();
+/// A file's other columns, and behind them the outline columns.
+std::vector<std::string> with_outline_columns(std::vector<std::string> others);
 
 /// Finds a file's outline columns once and reads an outline from each row.
 class OutlineColumns {

@@ -10,7 +10,8 @@ std::string to_string(const Code& code) { return code.family + ":" + code.value;
 
 Code parse_code(std::string_view text) {
   const std::size_t colon = text.find(':');
-  if (colon == std::string_view::npos || colon == 0 || colon + 1 == text.size())
+  const bool one_line = text.find_first_of("\r\n") == std::string_view::npos;
+  if (colon == std::string_view::npos || colon == 0 || colon + 1 == text.size() || !one_line)
     throw Error(fmt::format("\"{}\" is no code; write FAMILY:VALUE, for instance aruco6x6_250:23", text));
   return {std::string(text.substr(0, colon)), std::string(text.substr(colon + 1))};
 }

@@ -36,8 +36,8 @@ Duration period_of(double rate_hz);
 /// bursty drops, a percentile on jitter. Throws Error with fewer than two times.
 Duration nominal_period(std::span<const Time> captured);
 
-/// Median of all intervals (nearest rank), the plain figure printed beside T when the two differ by over 20
-/// %.
+/// Median of all intervals (nearest rank), the plain figure printed beside T when the two differ
+/// by over 20 %.
 Duration median_interval(std::span<const Time> captured);
 
 /// Slots an interval spans: floor(dt / T + 1/2), at least 1. Two or more are a gap. Slots are counted and

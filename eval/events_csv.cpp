@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "core/csv.h"
 #include "eval/circumstances.h"
 
 namespace relock {
@@ -45,7 +46,7 @@ class EventRows {
   }
 
  private:
-  const TargetId& id() const { return recording_.targets[target_].id; }
+  std::string id() const { return csv_cell(recording_.targets[target_].id); }
   double at(FrameIndex frame) const {
     return seconds(recording_.captured[static_cast<std::size_t>(frame)] - recording_.captured.front());
   }
@@ -77,8 +78,8 @@ void write_verdicts(std::ostream& out, const Recording& recording, const Evaluat
   for (std::size_t frame = 0; frame < recording.frames(); ++frame) {
     for (std::size_t t = 0; t < recording.targets.size(); ++t) {
       const Judgement& judged = evaluation.targets[t].judgements[frame];
-      out << fmt::format("{},{},{},{},{}\n", frame, recording.targets[t].id, to_string(judged.verdict),
-                         to_string(evaluation.targets[t].states[frame]),
+      out << fmt::format("{},{},{},{},{}\n", frame, csv_cell(recording.targets[t].id),
+                         to_string(judged.verdict), to_string(evaluation.targets[t].states[frame]),
                          std::isnan(judged.error_px) ? "" : fmt::format("{:.4f}", judged.error_px));
     }
   }

@@ -10,7 +10,9 @@
 #include <exception>
 
 #include "core/error.h"
+#include "core/outline_csv.h"
 #include "eval/evaluation.h"
+#include "eval/trajectory_csv.h"
 
 namespace relock {
 namespace {
@@ -36,8 +38,16 @@ class Stopwatch {
 };
 
 void check_sighting(const Sighting& sighting, const Recording& recording) {
-  if (!finite(sighting.centre) || !well_formed(sighting.outline) || !std::isfinite(sighting.confidence))
+  if (!finite(sighting.centre) || !well_formed(sighting.outline) ||
+      size_of(sighting.outline) < kSmallestOutline_px)
     throw Error("the answer is not finite or has no size");
+  if (!(sighting.confidence >= 0 && sighting.confidence <= 1))
+    throw Error(
+        fmt::format("the answer's confidence is {}; it must be between 0 and 1", sighting.confidence));
+  if (sighting.blur &&
+      !(std::isfinite(sighting.blur->direction_rad) && std::isfinite(sighting.blur->length_px)))
+    throw Error("the answer's blur is not finite");
+  if (sighting.code) parse_code(to_string(*sighting.code));
   if (sighting.track) {
     const auto same = [&](const Target& target) { return target.id == *sighting.track; };
     if (std::none_of(recording.targets.begin(), recording.targets.end(), same))
@@ -53,7 +63,8 @@ class Run {
         recording_(recording),
         options_(options),
         starts_(first_startable(recording)),
-        watches_(recording.targets.size(), LockWatch(recording.period)) {
+        watches_(recording.targets.size(), LockWatch(recording.period)),
+        restart_due_(recording.targets.size(), false) {
     Trajectory& trajectory = result_.trajectory;
     trajectory.reads_codes = options.reads_codes;
     trajectory.judged_from.resize(targets());
@@ -90,7 +101,7 @@ class Run {
   bool start_is_due(std::size_t t, FrameIndex frame) const {
     if (!asked(t) || failed(t) || !starts_[t]) return false;
     if (frame == *starts_[t]) return true;
-    return options_.protocol == Protocol::reset && watches_[t].state() == State::Lost &&
+    return options_.protocol == Protocol::reset && restart_due_[t] &&
            startable(recording_, static_cast<std::size_t>(frame), t);
   }
 
@@ -99,6 +110,7 @@ class Run {
     for (std::size_t t = 0; t < targets(); ++t) {
       if (!start_is_due(t, frame.index)) continue;
       report.given.push_back(t);
+      restart_due_[t] = false;
       const auto& truth = recording_.truth_of(static_cast<std::size_t>(frame.index), t);
       try {
         method_.start(frame, recording_.targets[t], bounds(*truth.outline));
@@ -113,6 +125,8 @@ class Run {
     try {
       Sightings said = method_.locate(frame);
       for (const Sighting& sighting : said) check_sighting(sighting, recording_);
+      // As the file will have them, so that replay and scoring judge the same numbers.
+      for (Sighting& sighting : said) sighting = as_stored(std::move(sighting));
       report.sightings = std::move(said);
     } catch (const std::exception& fault) {
       for (std::size_t t = 0; t < targets(); ++t) mark_failed(t, frame.index);
@@ -140,8 +154,12 @@ class Run {
     const std::size_t frame = trajectory.frames.size();
     if (options_.protocol == Protocol::reset) {
       const auto judged = judge_frame(recording_, frame, report, trajectory, options_.gate);
-      for (std::size_t t = 0; t < targets(); ++t)
+      for (std::size_t t = 0; t < targets(); ++t) {
         watches_[t].observe(observation(recording_, frame, t, judged.targets[t], report.sightings));
+        // Relocked by itself in time: nothing to answer. Gone meanwhile: it is started when it is back.
+        if (watches_[t].state() == State::Lost) restart_due_[t] = true;
+        if (watches_[t].state() == State::Locked) restart_due_[t] = false;
+      }
     }
     trajectory.frames.push_back(std::move(report));
     if (options_.progress) options_.progress(static_cast<FrameIndex>(frame));
@@ -152,6 +170,7 @@ class Run {
   const ReplayOptions& options_;
   std::vector<std::optional<FrameIndex>> starts_;
   std::vector<LockWatch> watches_;
+  std::vector<bool> restart_due_;  // protocol reset: a loss was declared and not yet answered
   Replay result_;
 };
 

@@ -76,7 +76,6 @@ LockWatch::Story LockWatch::finish() {
 }
 
 // Labels
-// ------------------------------------------------------------------------------------------------------
 
 bool LockWatch::labels_stopped_before(const Observation& now) const {
   if (now.label == Label::unlabelled || !last_labelled_) return false;
@@ -103,7 +102,6 @@ void LockWatch::stop_labels() {
 }
 
 // Frames that change the state whatever came before
-// -----------------------------------------------------------
 
 void LockWatch::give(const Seen& now) {
   if (state_ == State::Lost) end_loss(LossEnd::reset, frame_);
@@ -123,7 +121,6 @@ void LockWatch::leave() {
 }
 
 // Scored frames
-// -----------------------------------------------------------------------------------------------
 
 void LockWatch::score(const Seen& now) {
   if (state_ == State::Out) begin_search(Acquisition::Kind::reacquire);
@@ -232,7 +229,6 @@ bool LockWatch::came_to_the_report() const {
 }
 
 // Beginnings and ends
-// -----------------------------------------------------------------------------------------
 
 void LockWatch::end_loss(LossEnd end, FrameIndex frame) {
   Loss& loss = story_.losses.back();

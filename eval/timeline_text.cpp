@@ -120,6 +120,8 @@ class Story {
     } else {
       text = several_losses();
     }
+    if (const auto vain = searches_in_vain(); vain > 0 && text != "never locked")
+      text += vain == 1 ? "; once not found again" : fmt::format("; {} times not found again", vain);
     if (const auto& failed = trajectory_.failed_from[target_])
       text += fmt::format("; failed at {:.2f} s", at(*failed));
     return text;
@@ -139,32 +141,43 @@ class Story {
       const double waited = at(*search.locked_at) - at(search.from);
       if (waited > 0) return fmt::format("found after {:.2f} s and kept", waited);
     }
-    return "kept throughout";
+    return searches_in_vain() == 0 ? "kept throughout" : "never lost while the target was there";
+  }
+
+  std::ptrdiff_t searches_in_vain() const {
+    return std::count_if(timeline_.acquisitions.begin(), timeline_.acquisitions.end(),
+                         [](const Acquisition& search) { return !search.locked_at; });
   }
 
   std::string one_loss(const Loss& loss) const {
     const Circumstances c = circumstances(recording_, trajectory_, target_, loss);
-    if (c.slots < 2)
+    const Duration onset = recording_.captured[static_cast<std::size_t>(loss.first_lost)] -
+                           recording_.captured[static_cast<std::size_t>(loss.last_good)];
+    if (slots(onset, recording_.period) < 2)
       return fmt::format("{} at {:.2f} s; {}", how_lost(loss.kind), at(loss.last_good),
                          how_ended(recording_, loss));
-    return fmt::format("{} at {:.2f}-{:.2f} s, over a gap of {} slots; {}", how_lost(loss.kind),
-                       at(loss.last_good), at(loss.first_lost), c.slots, how_ended(recording_, loss));
+    const std::string gap = c.slots < 2 ? "" : fmt::format(", over a gap of {} slots", c.slots);
+    return fmt::format("{} at {:.2f}-{:.2f} s{}; {}", how_lost(loss.kind), at(loss.last_good),
+                       at(loss.first_lost), gap, how_ended(recording_, loss));
   }
 
   std::string several_losses() const {
     std::vector<double> recovered;
-    std::size_t restarted = 0;
+    std::size_t restarted = 0, by_chance = 0;
     for (const Loss& loss : timeline_.losses) {
       if (loss.end == LossEnd::recovered) recovered.push_back(seconds(loss_time(recording_, loss)));
       if (loss.end == LossEnd::reset) ++restarted;
+      if (loss.end == LossEnd::chance) ++by_chance;
     }
-    const std::size_t losses = timeline_.losses.size(), open = losses - recovered.size() - restarted;
+    const std::size_t losses = timeline_.losses.size(),
+                      open = losses - recovered.size() - restarted - by_chance;
     std::string text = fmt::format("{} losses", losses);
     if (!recovered.empty())
       text += fmt::format(", {}recovered in {}",
                           recovered.size() == losses ? "" : fmt::format("{} ", recovered.size()),
                           times(recovered));
     if (restarted > 0) text += fmt::format(", {} started again", restarted);
+    if (by_chance > 0) text += fmt::format(", {} ended by chance", by_chance);
     if (open > 0) text += fmt::format(", {} not recovered", open);
     return text;
   }
@@ -183,6 +196,14 @@ class Story {
   const TargetTimeline& timeline_;
   std::size_t target_;
 };
+
+/// The smallest of 1, 2, 5 times a power of ten, s, that is at least `least`.
+double round_step(double least) {
+  double power = std::pow(10, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * power >= least) return factor * power;
+  return 10 * power;
+}
 
 void append_glyph(std::string& text, Verdict verdict, const TimelineStyle& style) {
   const Glyph& glyph = kGlyphs[static_cast<std::size_t>(verdict)];
@@ -219,15 +240,12 @@ std::string ruler(const Recording& recording, const TimelineStyle& style) {
   const Columns columns = columns_of(frame_slots, style);
   const double seconds_per_column =
       seconds(recording.period) * static_cast<double>(columns.slots) / static_cast<double>(columns.columns);
-  // The smallest round step that leaves room for a label.
-  double step = 0.1;
-  for (const double factor : {2.0, 2.5, 2.0}) step *= step / seconds_per_column < 10 ? factor : 1.0;
-  while (step / seconds_per_column < 10) step *= 2;
+  const double step = round_step(10 * seconds_per_column);  // room for a label
   std::string text(static_cast<std::size_t>(columns.columns), ' ');
   for (int mark = 0;; ++mark) {
     const auto column = static_cast<std::size_t>(std::llround(mark * step / seconds_per_column));
     if (column >= text.size()) break;
-    const std::string label = mark == 0 ? "|0 s" : fmt::format("|{:.3g}", mark * step);
+    const std::string label = mark == 0 ? "|0 s" : fmt::format("|{:g}", mark * step);
     if (column + label.size() > text.size() + 4) break;
     if (column + label.size() > text.size()) text.resize(column + label.size(), ' ');
     text.replace(column, label.size(), label);

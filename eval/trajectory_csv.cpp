@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <istream>
 #include <ostream>
 
@@ -18,12 +19,7 @@ constexpr int kDecimals = 4;
 const std::vector<std::string> kPlainColumns{"frame",      "captured_ns",        "report",        "track",
                                              "code",       "centre_kind",        "centre_x",      "centre_y",
                                              "confidence", "blur_direction_rad", "blur_length_px"};
-
-std::vector<std::string> all_columns() {
-  auto names = kPlainColumns;
-  names.insert(names.end(), outline_columns().begin(), outline_columns().end());
-  return names;
-}
+const std::vector<std::string> kColumns = with_outline_columns(kPlainColumns);
 
 class TrajectoryWriter {
  public:
@@ -31,7 +27,7 @@ class TrajectoryWriter {
       : out_(out), recording_(recording), trajectory_(trajectory) {}
 
   void write() {
-    out_ << fmt::format("{}\n", fmt::join(all_columns(), ","));
+    out_ << fmt::format("{}\n", fmt::join(kColumns, ","));
     for (std::size_t frame = 0; frame < trajectory_.frames.size(); ++frame) write(frame);
   }
 
@@ -57,7 +53,7 @@ class TrajectoryWriter {
   }
 
   void begin(std::size_t frame, std::string_view report, std::string_view track) {
-    line_ = fmt::format("{},{},{},{}", frame, ns(recording_.captured[frame]), report, track);
+    line_ = fmt::format("{},{},{},{}", frame, ns(recording_.captured[frame]), report, csv_cell(track));
   }
   void end() {
     line_ += '\n';
@@ -82,7 +78,7 @@ class TrajectoryWriter {
 
   void write(std::size_t frame, const Sighting& sighting) {
     begin(frame, "sighting", sighting.track.value_or(""));
-    line_ += fmt::format(",{},{}", sighting.code ? to_string(*sighting.code) : "",
+    line_ += fmt::format(",{},{}", sighting.code ? csv_cell(to_string(*sighting.code)) : "",
                          to_string(sighting.centre_kind));
     cell(sighting.centre.x);
     cell(sighting.centre.y);
@@ -108,7 +104,7 @@ class TrajectoryReader {
   TrajectoryReader(std::istream& in, const std::string& file, const Recording& recording,
                    Trajectory& trajectory)
       : rows_(in, file), recording_(recording), frames_(trajectory.frames), outlines_(rows_) {
-    rows_.expect_only(all_columns());
+    rows_.expect_only(kColumns);
   }
 
   void read() {
@@ -198,6 +194,23 @@ class TrajectoryReader {
 };
 
 }  // namespace
+
+Sighting as_stored(Sighting sighting) {
+  const auto round = [](double& value) { value = std::round(value * 1e4) / 1e4; };
+  const auto round_vector = [&](Vec2& v) { round(v.x), round(v.y); };
+  round_vector(sighting.centre);
+  round(sighting.confidence);
+  if (sighting.blur) round(sighting.blur->direction_rad), round(sighting.blur->length_px);
+  if (auto* box = std::get_if<Box>(&sighting.outline)) {
+    round(box->x), round(box->y), round(box->width), round(box->height);
+  } else if (auto* quad = std::get_if<Quad>(&sighting.outline)) {
+    for (Vec2& corner : quad->corner) round_vector(corner);
+  } else if (auto* ellipse = std::get_if<Ellipse>(&sighting.outline)) {
+    round_vector(ellipse->centre);
+    round(ellipse->semi_major), round(ellipse->semi_minor), round(ellipse->angle_rad);
+  }
+  return sighting;
+}
 
 void write_trajectory(std::ostream& out, const Recording& recording, const Trajectory& trajectory) {
   TrajectoryWriter(out, recording, trajectory).write();

@@ -21,6 +21,9 @@ namespace relock {
 //   an outline          core/outline_csv.h
 // Pixels have four decimals.
 
+/// A sighting with its pixels rounded as the file has them.
+Sighting as_stored(Sighting sighting);
+
 /// `recording` names the targets and gives the times.
 void write_trajectory(std::ostream& out, const Recording& recording, const Trajectory& trajectory);
 

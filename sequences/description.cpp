@@ -34,9 +34,10 @@ class Table {
 
   std::optional<std::string> word(std::string_view key) const { return value<std::string>(key, "a text"); }
 
-  std::optional<double> positive(std::string_view key) const {
+  std::optional<double> positive(std::string_view key, double least = 1e-9, double most = 1e9) const {
     const auto found = value<double>(key, "a number above 0");
-    if (found && !(*found > 0)) fail(*table_.get(key), fmt::format("{} must be above 0", key));
+    if (found && !(*found >= least && *found <= most))
+      fail(*table_.get(key), fmt::format("{} must be from {} to {}", key, least, most));
     return found;
   }
 
@@ -59,7 +60,13 @@ Description::LabelledTarget read_target(const toml::table& table, const std::str
   const auto id = entry.word("id");
   if (!id) entry.fail(table, "this target has no id");
   read.target.id = *id;
-  if (const auto code = entry.word("code")) read.target.code = parse_code(*code);
+  if (read.target.id.find_first_of("\r\n") != std::string::npos)
+    entry.fail(table, "a target's id is one line");
+  try {
+    if (const auto code = entry.word("code")) read.target.code = parse_code(*code);
+  } catch (const Error& fault) {
+    entry.fail(*entry.node("code"), fault.what());
+  }
   read.target.size_m = entry.positive("size_m");
   read.sigma_px = entry.positive("sigma_px");
   return read;
@@ -100,10 +107,11 @@ Description read_description(const std::filesystem::path& folder) {
   }
   const Table root(parsed, file, {"name", "rate_hz", "period_ns", "width", "height", "sigma_px", "target"});
   if (const auto name = root.word("name")) description.name = *name;
-  description.rate_hz = root.positive("rate_hz");
+  description.rate_hz = root.positive("rate_hz", kLeastRate_hz, kMostRate_hz);
   if (description.rate_hz) description.period = period_of(*description.rate_hz);
-  if (const auto period = root.positive("period_ns")) description.period = Duration(std::llround(*period));
-  const auto width = root.positive("width"), height = root.positive("height");
+  if (const auto period = root.positive("period_ns", 1e9 / kMostRate_hz, 1e9 / kLeastRate_hz))
+    description.period = Duration(std::llround(*period));
+  const auto width = root.positive("width", 1, 1e5), height = root.positive("height", 1, 1e5);
   if (width && height) description.picture = Size{static_cast<int>(*width), static_cast<int>(*height)};
   description.sigma_px = root.positive("sigma_px").value_or(0);
   read_targets(root, file, description);

@@ -10,6 +10,9 @@
 
 namespace relock {
 
+/// Rates that a camera may have, Hz.
+constexpr double kLeastRate_hz = 1e-3, kMostRate_hz = 1e6;
+
 /// What `recording.toml` beside a recording says of it. Everything in it is optional:
 ///
 ///     name = "flight 7"          # else the folder's name

@@ -16,11 +16,12 @@ namespace relock {
 ///
 ///   none                  as recorded
 ///   paper                 one interval in twenty spans 4 slots (30 Hz: 0.13 s)
-///   paper-6s              one interval in twenty spans 4 slots, the others 1 to 3, 1.8 on average (30 Hz: 60
-///   ms) bernoulli(p)          each slot is lost with probability p gilbert-elliott(p,r)  slots are lost in
-///   bursts: one begins with probability p, ends with probability r periodic(n,k)         of every n slots
-///   the last k are lost trace(file)           intervals of a real camera: a CSV of capture times
-///   (timestamp_ns), begun at random fps(n)                the first frame at or after every 1/n s
+///   paper-6s              one interval in twenty spans 4 slots, the others 1 to 3; 1.8 on average (60 ms)
+///   bernoulli(p)          each slot is lost with probability p
+///   gilbert-elliott(p,r)  slots are lost in bursts: one begins with probability p, ends with probability r
+///   periodic(n,k)         of every n slots the last k are lost
+///   trace(file)           intervals of a real camera: a CSV of timestamp_ns, begun where the seed says
+///   fps(n)                the first frame at or after every 1/n s
 class GapPattern {
  public:
   /// Throws Error that shows the patterns when `text` is none of them or a number is out of range.

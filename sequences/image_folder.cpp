@@ -99,23 +99,30 @@ class ImageFolder final : public FrameSource {
   }
 
  private:
-  /// Reads and decodes into buffers that are used again for every picture.
+  /// Reads and decodes one picture.
   void decode(std::size_t index) {
     const std::string name = pictures_[index].string();
     std::ifstream in(pictures_[index], std::ios::binary | std::ios::ate);
-    if (!in) throw Error(fmt::format("{}: this picture cannot be opened", name));
+    if (!in || !fs::is_regular_file(pictures_[index]))
+      throw Error(fmt::format("{}: this picture cannot be opened", name));
     bytes_.resize(static_cast<std::size_t>(in.tellg()));
     in.seekg(0).read(reinterpret_cast<char*>(bytes_.data()), static_cast<std::streamsize>(bytes_.size()));
     if (!in || bytes_.empty() || cut_off_jpeg())
       throw Error(fmt::format("{}: this picture is cut off after {} bytes", name, bytes_.size()));
     decoded_index_ = static_cast<std::size_t>(-1);
+    if (!decoded()) throw Error(fmt::format("{}: this is no picture that can be read", name));
+    decoded_index_ = index;
+  }
+
+  /// Decodes `bytes_`. Into a new buffer: into one that it may reuse, OpenCV answers a picture that it cannot
+  /// decode with what was in there before.
+  bool decoded() {
     try {
-      cv::imdecode(bytes_, cv::IMREAD_ANYCOLOR, &decoded_);
+      decoded_ = cv::imdecode(bytes_, cv::IMREAD_ANYCOLOR);
     } catch (const cv::Exception&) {
       decoded_.release();
     }
-    if (decoded_.empty()) throw Error(fmt::format("{}: this is no picture that can be read", name));
-    decoded_index_ = index;
+    return !decoded_.empty();
   }
 
   /// libjpeg fills what is missing with grey and says nothing that can be asked: the end marker tells.

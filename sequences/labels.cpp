@@ -18,12 +18,7 @@ constexpr int kDecimals = 4;
 const std::vector<std::string> kPlainColumns{
     "frame",  "target", "label",    "projected_x", "projected_y", "visible_fraction", "occluded_fraction",
     "blur_x", "blur_y", "tilt_deg", "sigma_px"};
-
-std::vector<std::string> all_columns() {
-  auto names = kPlainColumns;
-  names.insert(names.end(), outline_columns().begin(), outline_columns().end());
-  return names;
-}
+const std::vector<std::string> kColumns = with_outline_columns(kPlainColumns);
 
 /// One labels file being read.
 class LabelReader {
@@ -31,7 +26,7 @@ class LabelReader {
   LabelReader(std::istream& in, const std::string& file, const Description& description,
               const LabelLimits& limits, Recording& recording)
       : rows_(in, file), description_(description), limits_(limits), recording_(recording), outlines_(rows_) {
-    rows_.expect_only(all_columns());
+    rows_.expect_only(kColumns);
     for (const auto& entry : description.targets) recording_.targets.push_back(entry.target);
   }
 
@@ -60,6 +55,7 @@ class LabelReader {
   std::size_t read_target() {
     std::string id(rows_.text(target_));
     if (id.empty()) id = only_target();
+    if (id.find_first_of("\r\n") != std::string::npos) rows_.fail("a target's id is one line");
     auto at = std::find_if(recording_.targets.begin(), recording_.targets.end(),
                            [&](const Target& t) { return t.id == id; });
     if (at == recording_.targets.end()) {
@@ -100,6 +96,7 @@ class LabelReader {
     truth.blur = read_vector(blur_x_, blur_y_);
     truth.tilt_deg = rows_.optional_number(tilt_deg_);
     truth.sigma_px = rows_.optional_number(sigma_px_).value_or(default_sigma_px());
+    if (truth.sigma_px < 0) rows_.fail("column sigma_px: it must not be below 0");
     truth.label = read_label(truth);
     if (truth.label == Label::visible) {
       if (!truth.outline) rows_.fail("a visible target needs an outline");
@@ -191,13 +188,13 @@ void read_labels(std::istream& in, const std::string& file, const Description& d
 }
 
 void write_labels(std::ostream& out, const Recording& recording) {
-  out << fmt::format("{}", fmt::join(all_columns(), ",")) << '\n';
+  out << fmt::format("{}", fmt::join(kColumns, ",")) << '\n';
   std::string line;
   for (std::size_t frame = 0; frame < recording.frames(); ++frame) {
     for (std::size_t t = 0; t < recording.targets.size(); ++t) {
       const TargetTruth& truth = recording.truth_of(frame, t);
       if (truth.label == Label::unlabelled && !truth.outline) continue;
-      line = fmt::format("{},{},{}", frame, recording.targets[t].id, to_string(truth.label));
+      line = fmt::format("{},{},{}", frame, csv_cell(recording.targets[t].id), to_string(truth.label));
       append(line, truth.centre_projected);
       append(line, truth.visible_fraction);
       append(line, truth.occluded_fraction);

@@ -55,20 +55,49 @@ class Fingerprint {
   XXH3_state_t state_ = fresh();
 };
 
-/// Every file of the recording, the labels in use, and the capture times.
-std::string fingerprint(const fs::path& folder, const fs::path& labels, const Recording& recording) {
+/// A text as a TOML basic string.
+std::string toml_string(std::string_view text) {
+  std::string toml = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      toml += '\\';
+      toml += c;
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      toml += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      toml += c;
+    }
+  }
+  return toml + "\"";
+}
+
+/// The recording.toml of what is known of a recording without its pictures.
+std::string description_text(const Recording& recording) {
+  std::string text =
+      fmt::format("name = {}\nperiod_ns = {}\nwidth = {}\nheight = {}\n", toml_string(recording.name),
+                  recording.period.count(), recording.picture.width, recording.picture.height);
+  for (const Target& target : recording.targets) {
+    text += fmt::format("\n[[target]]\nid = {}\n", toml_string(target.id));
+    if (target.code) text += fmt::format("code = {}\n", toml_string(to_string(*target.code)));
+    if (target.size_m) text += fmt::format("size_m = {}\n", *target.size_m);
+  }
+  return text;
+}
+
+/// Of the pictures' bytes, the times and the truth: of all that a run and its scores depend on.
+std::string fingerprint(const fs::path& folder, const Recording& recording) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file() && is_picture(entry.path())) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   Fingerprint print;
   for (const fs::path& file : files) print.add_file(file);
-  if (fs::exists(labels)) print.add_file(labels);
-  for (const Time time : recording.captured) print.add(std::to_string(ns(time)));
-  for (const Target& target : recording.targets) {
-    print.add(target.id);
-    print.add(target.code ? to_string(*target.code) : "");
-  }
+  std::ostringstream times, labels;
+  write_timestamps(times, recording.captured);
+  write_labels(labels, recording);
+  print.add(description_text(recording));
+  print.add(times.str());
+  print.add(labels.str());
   return print.text();
 }
 
@@ -82,8 +111,9 @@ Duration period_of_recording(const Description& description, const OpenOptions& 
 }  // namespace
 
 Sequence open_sequence(const fs::path& path, const OpenOptions& options) {
-  if (options.rate_hz && !(*options.rate_hz > 0 && std::isfinite(*options.rate_hz)))
-    throw Error(fmt::format("a rate of {} Hz is none; it must be above 0", *options.rate_hz));
+  if (options.rate_hz && !(*options.rate_hz >= kLeastRate_hz && *options.rate_hz <= kMostRate_hz))
+    throw Error(fmt::format("a rate of {} Hz is none; it must be from {} to {}", *options.rate_hz,
+                            kLeastRate_hz, kMostRate_hz));
   if (!fs::is_directory(path)) open_image_folder(path, {}, options.rate_hz);  // says what is wrong
   const Description description = read_description(path);
   auto source = open_image_folder(path, description, options.rate_hz);
@@ -102,7 +132,7 @@ Sequence open_sequence(const fs::path& path, const OpenOptions& options) {
     std::ifstream in = open_file(labels);
     read_labels(in, labels.string(), description, options.limits, sequence.recording);
   }
-  sequence.fingerprint = fingerprint(path, labels, sequence.recording);
+  sequence.fingerprint = fingerprint(path, sequence.recording);
   sequence.frames = [path, description, options] {
     return open_image_folder(path, description, options.rate_hz);
   };
@@ -111,13 +141,7 @@ Sequence open_sequence(const fs::path& path, const OpenOptions& options) {
 
 void write_truth(const fs::path& folder, const Recording& recording) {
   std::ofstream toml(folder / "recording.toml", std::ios::binary);
-  toml << fmt::format("name = '{}'\nperiod_ns = {}\nwidth = {}\nheight = {}\n", recording.name,
-                      recording.period.count(), recording.picture.width, recording.picture.height);
-  for (const Target& target : recording.targets) {
-    toml << fmt::format("\n[[target]]\nid = '{}'\n", target.id);
-    if (target.code) toml << fmt::format("code = '{}'\n", to_string(*target.code));
-    if (target.size_m) toml << fmt::format("size_m = {}\n", *target.size_m);
-  }
+  toml << description_text(recording);
   std::ofstream times(folder / "timestamps.csv", std::ios::binary);
   write_timestamps(times, recording.captured);
   std::ofstream labels(folder / "labels.csv", std::ios::binary);

@@ -8,6 +8,9 @@
 #include "core/error.h"
 
 namespace relock {
+namespace {
+constexpr Duration kLongestInterval = std::chrono::hours(24);
+}
 
 Timestamps read_timestamps(std::istream& in, const std::string& file) {
   CsvReader rows(in, file);
@@ -22,7 +25,12 @@ Timestamps read_timestamps(std::istream& in, const std::string& file) {
       rows.fail(fmt::format("the time {} {} the one before ({}); capture times must rise", ns(captured),
                             captured == read.captured.back() ? "repeats" : "goes back behind",
                             ns(read.captured.back())));
+    if (!read.captured.empty() && captured - read.captured.back() > kLongestInterval)
+      rows.fail(fmt::format("the time jumps by {:.0f} s; was the camera's clock set here?",
+                            seconds(captured - read.captured.back())));
     read.captured.push_back(captured);
+    if (picture != CsvReader::missing && rows.text(picture).empty())
+      rows.fail("column file: a name is missing");
     if (picture != CsvReader::missing) read.files.emplace_back(rows.text(picture));
   }
   if (read.captured.empty()) throw Error(file + ": there is no frame in it");
@@ -31,7 +39,8 @@ Timestamps read_timestamps(std::istream& in, const std::string& file) {
 
 Timestamps read_timestamps(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw Error(fmt::format("{} cannot be read", path.string()));
+  if (!in || std::filesystem::is_directory(path))
+    throw Error(fmt::format("{} cannot be read", path.string()));
   return read_timestamps(in, path.string());
 }
 

@@ -11,6 +11,7 @@ namespace relock {
 
 // timestamps.csv: a header, then one row for each recorded frame, in order. Columns:
 //   timestamp_ns   capture time, whole nanoseconds from any epoch
+//   frame          rank of the frame, for the reader's convenience; not looked at
 //   file           name of the frame's picture; may be left out: pictures are then taken in order of name
 
 struct Timestamps {
@@ -18,7 +19,7 @@ struct Timestamps {
   std::vector<std::string> files;  ///< empty when the file does not name them
 };
 
-/// Throws Error with file and line on a time that repeats or goes backwards.
+/// Throws Error with file and line on a time that repeats, goes backwards or jumps by more than a day.
 Timestamps read_timestamps(std::istream& in, const std::string& file);
 Timestamps read_timestamps(const std::filesystem::path& path);
 

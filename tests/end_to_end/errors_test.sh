@@ -75,6 +75,26 @@ fi
 sed -i '9s/^[0-9]*,/77,/' "$work/out/klahaag/recorded-once/still/trajectory.csv"
 refused "a row out of order" "trajectory.csv:9: frame 77 comes after frame 6" "$relock" score "$work/out"
 
+# Names that need quoting, and conditions that do not belong in one table.
+mkdir -p "$work/odd"
+cp -r $clip/images "$work/odd"
+printf 'name = "bob\'"'"'s \\"7\\""\nrate_hz = 30\n' >"$work/odd/recording.toml"
+sed 's/,shirt,/,"shirt, red",/' $clip/labels.csv >"$work/odd/labels.csv"
+"$relock" run --sequence "$work/odd" --methods still --out "$work/odd-results" >/dev/null
+expect_contains "odd names survive" "target shirt, red" "$("$relock" score "$work/odd-results" 2>&1)"
+
+mkdir "$work/t1" "$work/t2"
+{ echo timestamp_ns; seq 0 33000000 3300000000; } >"$work/t1/x.csv"
+{ echo timestamp_ns; seq 0 33000000 3300000000 | awk 'NR % 5'; } >"$work/t2/x.csv"
+"$relock" run --sequence $clip --methods still --gaps "trace($work/t1/x.csv)" --out "$work/traces" >/dev/null
+refused "other gaps of the same name" "holds runs under other conditions" \
+  "$relock" run --sequence $clip --methods linear --gaps "trace($work/t2/x.csv)" --out "$work/traces"
+"$relock" run --sequence $clip --methods linear --protocol reset --gate iou --out "$work/gates" >/dev/null
+refused "other gates in one table" "holds runs under other conditions" "$relock" run --sequence $clip --methods still --protocol reset --out "$work/gates"
+refused "a gate that resets were not judged by" "were judged by the gate iou" "$relock" score "$work/gates" --gate centre
+expect_contains "resets are judged by their own gate" "gate iou 0.5, hold 0.25" "$("$relock" score "$work/gates")"
+refused "a rate that is none" "a rate of 1e-300 Hz is none" run --sequence $clip --methods still --rate 1e-300
+
 refused "no such picture" "nothing.png does not exist" "$relock" detect nothing.png --method aruco
 refused "no picture" "is no picture that can be read" "$relock" detect README.md --method aruco
 refused "a tracker asked to detect" "kcf is no detector" "$relock" detect $clip/images/00001.jpg --method kcf

@@ -87,10 +87,11 @@ TEST(Labels, AreTheSameAfterWritingAndReading) {
   recording.targets = {{"a", parse_code("f:1"), 0.15}, {"b"}};
   recording.truth.resize(80);
   for (TargetTruth& truth : recording.truth) {
-    const auto coordinate = [&] { return static_cast<double>(random.below(600000)) / 1e4; };
+    // Binary fractions with four decimals at most, so that sums and files are exact.
+    const auto coordinate = [&] { return static_cast<double>(random.below(960)) / 16; };
     truth.label = static_cast<Label>(random.below(3));
     if (truth.label != Label::absent)
-      truth.outline = Box{coordinate(), coordinate(), 5 + coordinate(), 5 + coordinate()};
+      truth.outline = Box{coordinate(), coordinate(), 1 + coordinate(), 1 + coordinate()};
     if (random.chance(0.5)) truth.blur = Vec2{coordinate(), -coordinate()};
     if (random.chance(0.5)) truth.tilt_deg = coordinate();
     truth.visible_fraction = truth.label == Label::visible ? 0.75 : 0.25;

@@ -1,6 +1,7 @@
 #include "sequences/open.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "sequences/image_folder.h"
 #include "tests/sequences/scratch.h"
@@ -70,6 +71,26 @@ TEST(ImageFolder, NamesAPictureThatCannotBeReadAndReadsTheOnesBefore) {
   EXPECT_NE(fault_of([&] { frames->image(); }).find("3.png: this is no picture"), std::string::npos);
 }
 
+TEST(ImageFolder, NamesAPictureThatIsAFolder) {
+  const Scratch scratch;
+  scratch.write_pictures(2);
+  std::filesystem::create_directories(scratch.path() / "images/x.png");
+  scratch.write("timestamps.csv", "timestamp_ns,file\n0,0.png\n33,x.png\n");
+  const auto frames = open_sequence(scratch.path()).frames();
+  EXPECT_NE(fault_of([&] { levels(*frames); }).find("x.png: this picture cannot be opened"),
+            std::string::npos);
+}
+
+TEST(ImageFolder, RefusesAClockThatJumps) {
+  const Scratch scratch;
+  scratch.write_pictures(2);
+  scratch.write("timestamps.csv", "timestamp_ns\n0\n1700000000000000000\n");
+  EXPECT_NE(fault_of([&] {
+              open_sequence(scratch.path());
+            }).find("timestamps.csv:3: the time jumps by 1700000000 s"),
+            std::string::npos);
+}
+
 TEST(ImageFolder, NamesAPictureOfAnotherSize) {
   const Scratch scratch;
   scratch.write_pictures(2);
@@ -94,6 +115,25 @@ TEST(ImageFolder, NamesAJpegThatIsCutOff) {
   const auto frames = open_sequence(scratch.path()).frames();
   EXPECT_NE(fault_of([&] { levels(*frames); }).find("2.jpg: this picture is cut off after 9000 bytes"),
             std::string::npos);
+}
+
+TEST(ImageFolder, HoldsOnePictureAtATimeHoweverLongTheRecording) {
+  const Scratch scratch;
+  std::filesystem::create_directories(scratch.path() / "images");
+  for (int i = 0; i < 400; ++i)
+    std::filesystem::create_symlink(RELOCK_SOURCE_DIR "/recordings/klahaag/images/00001.jpg",
+                                    scratch.path() / "images" / (std::to_string(i) + ".jpg"));
+  scratch.write("recording.toml", kSteady);
+  const auto frames = open_sequence(scratch.path()).frames();
+  const auto peak_mb = [] {
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    return static_cast<double>(used.ru_maxrss) / 1024;
+  };
+  for (int i = 0; i < 20; ++i) frames->next(), frames->image();
+  const double before = peak_mb();
+  while (frames->next()) frames->image();
+  EXPECT_LT(peak_mb() - before, 30) << "380 pictures are 250 MB";
 }
 
 TEST(Recording, ThatIsNoneIsTold) {
@@ -128,6 +168,9 @@ TEST(Fingerprint, ChangesWithAnyPictureTimeOrLabelAndWithNothingElse) {
   scratch.write("labels.csv", "frame,x,y,width,height\n0,1,1,9,9\n");
   const std::string labelled = open_sequence(scratch.path()).fingerprint;
   EXPECT_NE(labelled, before);
+  scratch.write("recording.toml", kSteady + "sigma_px = 3\n");
+  EXPECT_NE(open_sequence(scratch.path()).fingerprint, labelled);
+  scratch.write("recording.toml", kSteady);
   scratch.write("timestamps.csv", "timestamp_ns\n0\n1\n2\n");
   EXPECT_NE(open_sequence(scratch.path()).fingerprint, labelled);
 }
