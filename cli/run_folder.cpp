@@ -1,14 +1,13 @@
 #include "cli/run_folder.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "cli/files.h"
 #include "core/error.h"
 #include "eval/trajectory_csv.h"
 #include "sequences/open.h"
@@ -17,97 +16,8 @@ namespace relock {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kMarker = "relock-results.json";
-
-Json to_json(const std::vector<std::optional<FrameIndex>>& frames) {
-  Json all = Json::array();
-  for (const auto& frame : frames) all.push_back(frame ? Json(*frame) : Json());
-  return all;
-}
-
-Json to_json(const Failure& failure) { return {{"frame", failure.frame}, {"what", failure.what}}; }
-
-Json inputs_json(const RunRecord& r) {
-  return {{"relock", r.relock_version},
-          {"opencv", r.opencv_version},
-          {"recording", r.recording},
-          {"fingerprint", r.fingerprint},
-          {"method", r.method},
-          {"options", r.options},
-          {"gaps", r.gaps},
-          {"dropped", r.dropped},
-          {"seed", r.seed},
-          {"protocol", to_string(r.protocol)},
-          {"gate", r.gate.empty() ? Json() : Json(r.gate)}};
-}
-
-Json to_json(const RunRecord& r) {
-  Json failures = Json::array();
-  for (const Failure& failure : r.failures) failures.push_back(to_json(failure));
-  return {{"format", 1},
-          {"inputs", inputs_json(r)},
-          {"yardstick", r.yardstick},
-          {"reads_codes", r.reads_codes},
-          {"deterministic", r.deterministic},
-          {"judged_from", to_json(r.judged_from)},
-          {"failed_from", to_json(r.failed_from)},
-          {"failures", failures},
-          {"cut_short", r.cut_short ? to_json(*r.cut_short) : Json()}};
-}
-
-std::vector<std::optional<FrameIndex>> frames_from(const Json& json) {
-  std::vector<std::optional<FrameIndex>> all;
-  for (const Json& frame : json)
-    all.push_back(frame.is_null() ? std::nullopt : std::optional(frame.get<FrameIndex>()));
-  return all;
-}
-
-Failure failure_from(const Json& json) {
-  return {json.at("frame").get<FrameIndex>(), json.at("what").get<std::string>()};
-}
-
-RunRecord record_from(const Json& json) {
-  RunRecord r;
-  const Json& inputs = json.at("inputs");
-  r.relock_version = inputs.at("relock");
-  r.opencv_version = inputs.at("opencv");
-  r.recording = inputs.at("recording");
-  r.fingerprint = inputs.at("fingerprint");
-  r.method = inputs.at("method");
-  r.options = inputs.at("options").get<std::map<std::string, std::string>>();
-  r.gaps = inputs.at("gaps");
-  r.dropped = inputs.at("dropped").get<std::vector<FrameIndex>>();
-  r.seed = inputs.at("seed");
-  r.protocol = parse_protocol(inputs.at("protocol").get<std::string>());
-  if (!inputs.at("gate").is_null()) r.gate = inputs.at("gate");
-  r.yardstick = json.at("yardstick");
-  r.reads_codes = json.at("reads_codes");
-  r.deterministic = json.at("deterministic");
-  r.judged_from = frames_from(json.at("judged_from"));
-  r.failed_from = frames_from(json.at("failed_from"));
-  for (const Json& failure : json.at("failures")) r.failures.push_back(failure_from(failure));
-  if (!json.at("cut_short").is_null()) r.cut_short = failure_from(json.at("cut_short"));
-  return r;
-}
-
-std::string read_file(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw Error(fmt::format("{} cannot be read", path.string()));
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-RunRecord read_record(const fs::path& path) {
-  try {
-    return record_from(Json::parse(read_file(path)));
-  } catch (const std::exception& fault) {
-    throw Error(fmt::format("{} is no run.json of this relock ({}); remove its folder and run again",
-                            path.string(), fault.what()));
-  }
-}
 
 /// A name that any file system takes: whatever is not a letter, a digit, '.', '_' or '-' becomes '-'.
 std::string slug(std::string_view text) {
@@ -137,10 +47,6 @@ std::string timing_csv(const std::vector<FrameCost>& costs) {
   for (const FrameCost& cost : costs)
     text += fmt::format("{},{:.4f},{:.4f}\n", cost.frame, 1e3 * seconds(cost.wall), 1e3 * seconds(cost.cpu));
   return text;
-}
-
-fs::path temporary_name(const fs::path& path) {
-  return path.parent_path() / fmt::format(".{}.tmp.{}", path.filename().string(), getpid());
 }
 
 void make_folder(const fs::path& folder) {
@@ -180,15 +86,8 @@ StoredRun read_run(const fs::path& folder, const Recording& recording) {
 /// The recordings/ folder that belongs to a comparison.
 fs::path truth_folder(const fs::path& comparison) { return comparison.parent_path() / "recording"; }
 
-/// What must be the same for runs to stand in one table: the inputs but the method and the program.
-Json conditions(const RunRecord& record) {
-  Json inputs = inputs_json(record);
-  for (const char* own : {"relock", "opencv", "method", "options"}) inputs.erase(own);
-  return inputs;
-}
-
 void check_conditions(const fs::path& folder, const RunRecord& a, const RunRecord& b) {
-  if (conditions(a) == conditions(b)) return;
+  if (a.same_conditions(b)) return;
   throw Error(fmt::format(
       "{} holds runs under other conditions (gaps {}, seed {}{}; not {}, seed {}{}, or the recording "
       "changed); choose another --out or remove it",
@@ -227,8 +126,6 @@ StoredComparison read_comparison(const fs::path& folder, std::vector<fs::path> r
 }
 
 }  // namespace
-
-bool RunRecord::same_inputs(const RunRecord& other) const { return inputs_json(*this) == inputs_json(other); }
 
 void prepare_results(const fs::path& out) {
   if (fs::exists(out) && !fs::is_directory(out))
@@ -280,7 +177,7 @@ void store_run(const fs::path& folder, const RunRecord& record, const Recording&
   write_trajectory(trajectory, recording, replay.trajectory);
   write_file(draft / "trajectory.csv", trajectory.str());
   write_file(draft / "timing.csv", timing_csv(replay.costs));
-  write_file(draft / "run.json", to_json(record).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_file(draft / "run.json", to_json_text(record));
   put_in_place(draft, folder);
 }
 
@@ -297,21 +194,6 @@ std::vector<StoredComparison> read_results(const fs::path& folder) {
   std::vector<StoredComparison> all;
   for (auto& [comparison, runs] : runs_of) all.push_back(read_comparison(comparison, std::move(runs)));
   return all;
-}
-
-void write_file(const fs::path& path, const std::string& content) {
-  const fs::path draft = temporary_name(path);
-  std::ofstream out(draft, std::ios::binary);
-  out << content;
-  out.close();
-  std::error_code fault;
-  if (out) fs::rename(draft, path, fault);
-  if (!out || fault) {
-    std::error_code ignored;
-    fs::remove(draft, ignored);
-    throw Error(
-        fmt::format("{} cannot be written; is the disk full, or the folder another user's?", path.string()));
-  }
 }
 
 }  // namespace relock

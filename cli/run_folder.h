@@ -1,10 +1,10 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "cli/run_record.h"
 #include "core/recording.h"
 #include "eval/replay.h"
 
@@ -16,34 +16,6 @@ namespace relock {
 //   OUT/RECORDING/GAPS-PROTOCOL/METHOD/           one run: run.json, trajectory.csv, timing.csv;
 //                                                 `relock score` adds scores.json, events.csv, verdicts.csv
 // A run folder is written under a temporary name and renamed when it is complete.
-
-/// What produced a run, and how it went: run.json.
-struct RunRecord {
-  // What went in. A run with the same of these is not run again.
-  std::string relock_version;
-  std::string opencv_version;
-  std::string recording;                       ///< its name
-  std::string fingerprint;                     ///< of its pictures, times and labels
-  std::string method;                          ///< as it would be typed
-  std::map<std::string, std::string> options;  ///< of the method, defaults too
-  std::string gaps;                            ///< pattern, "none" as recorded
-  std::vector<FrameIndex> dropped;             ///< frames that the pattern took
-  std::uint64_t seed = 1;
-  Protocol protocol = Protocol::once;
-  std::string gate;  ///< by which protocol reset judged losses; empty otherwise
-
-  // What it was.
-  bool yardstick = false;
-  bool reads_codes = false;
-  bool deterministic = true;
-  // How it went.
-  std::vector<std::optional<FrameIndex>> judged_from;  ///< for each target
-  std::vector<std::optional<FrameIndex>> failed_from;  ///< for each target
-  std::vector<Failure> failures;
-  std::optional<Failure> cut_short;  ///< the recording could not be read on from there
-
-  bool same_inputs(const RunRecord& other) const;
-};
 
 /// A run read back from its folder.
 struct StoredRun {
@@ -80,8 +52,5 @@ void store_run(const std::filesystem::path& folder, const RunRecord& record, con
 /// Finds and reads all runs below `folder`: a results folder or a part of one. Throws Error when there is
 /// none.
 std::vector<StoredComparison> read_results(const std::filesystem::path& folder);
-
-/// Writes a text file whole or not at all; throws Error when it cannot be written.
-void write_file(const std::filesystem::path& path, const std::string& content);
 
 }  // namespace relock

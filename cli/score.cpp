@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "cli/comparison.h"
+#include "cli/files.h"
 #include "cli/score_json.h"
 #include "cli/table.h"
 #include "cli/verbs.h"

@@ -1,0 +1,42 @@
+#include "cli/files.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "core/error.h"
+
+namespace relock {
+
+namespace fs = std::filesystem;
+
+std::string read_file(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw Error(fmt::format("{} cannot be read", path.string()));
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+fs::path temporary_name(const fs::path& path) {
+  return path.parent_path() / fmt::format(".{}.tmp.{}", path.filename().string(), getpid());
+}
+
+void write_file(const fs::path& path, const std::string& content) {
+  const fs::path draft = temporary_name(path);
+  std::ofstream out(draft, std::ios::binary);
+  out << content;
+  out.close();
+  std::error_code fault;
+  if (out) fs::rename(draft, path, fault);
+  if (!out || fault) {
+    std::error_code ignored;
+    fs::remove(draft, ignored);
+    throw Error(
+        fmt::format("{} cannot be written; is the disk full, or the folder another user's?", path.string()));
+  }
+}
+
+}  // namespace relock

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "eval/replay.h"
+
+namespace relock {
+
+/// What produced a run, and how it went: run.json.
+struct RunRecord {
+  // What went in. A run with the same of these is not run again.
+  std::string relock_version;
+  std::string opencv_version;
+  std::string recording;                       ///< its name
+  std::string fingerprint;                     ///< of its pictures, times and labels
+  std::string method;                          ///< as it would be typed
+  std::map<std::string, std::string> options;  ///< of the method, defaults too
+  std::string gaps;                            ///< pattern, "none" as recorded
+  std::vector<FrameIndex> dropped;             ///< frames that the pattern took
+  std::uint64_t seed = 1;
+  Protocol protocol = Protocol::once;
+  std::string gate;  ///< by which protocol reset judged losses; empty otherwise
+
+  // What it was.
+  bool yardstick = false;
+  bool reads_codes = false;
+  bool deterministic = true;
+  // How it went.
+  std::vector<std::optional<FrameIndex>> judged_from;  ///< for each target
+  std::vector<std::optional<FrameIndex>> failed_from;  ///< for each target
+  std::vector<Failure> failures;
+  std::optional<Failure> cut_short;  ///< the recording could not be read on from there
+
+  bool same_inputs(const RunRecord& other) const;
+  /// Whether both may stand in one table: the same inputs but for the method and the program.
+  bool same_conditions(const RunRecord& other) const;
+};
+
+/// run.json, as text and back.
+std::string to_json_text(const RunRecord& record);
+/// Throws Error naming the file when it is no run.json of this relock.
+RunRecord read_record(const std::filesystem::path& path);
+
+}  // namespace relock
