@@ -29,6 +29,7 @@ struct Plan {
   Gate gate;
   std::uint64_t seed;
   std::filesystem::path out;
+  std::string program;  // its fingerprint
 };
 
 std::vector<ChosenMethod> chosen_methods(const RunArguments& arguments, const Methods& methods,
@@ -84,6 +85,7 @@ std::vector<bool> asked(const ChosenMethod& method, const Recording& recording) 
 RunRecord record_of(const Plan& plan, const ChosenMethod& method) {
   RunRecord record;
   record.relock_version = kVersion;
+  record.program = plan.program;
   record.opencv_version = CV_VERSION;
   record.recording = plan.sequence.recording.name;
   record.fingerprint = plan.sequence.fingerprint;
@@ -172,8 +174,14 @@ int run(const RunArguments& arguments, const Methods& methods) {
                                        start_frames(sequence.recording));
   prepare_results(arguments.out);
   store_truth(arguments.out, sequence.recording, sequence.fingerprint);
-  const Plan plan{std::move(sequence), std::move(gaps), schedule, protocol, gate,
-                  arguments.seed,      arguments.out};
+  const Plan plan{std::move(sequence),
+                  std::move(gaps),
+                  schedule,
+                  protocol,
+                  gate,
+                  arguments.seed,
+                  arguments.out,
+                  file_fingerprint("/proc/self/exe")};
 
   print_recording(plan);
   bool failed = false;

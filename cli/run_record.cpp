@@ -22,6 +22,7 @@ Json to_json(const Failure& failure) { return {{"frame", failure.frame}, {"what"
 
 Json inputs_json(const RunRecord& r) {
   return {{"relock", r.relock_version},
+          {"program", r.program},
           {"opencv", r.opencv_version},
           {"recording", r.recording},
           {"fingerprint", r.fingerprint},
@@ -63,6 +64,7 @@ RunRecord record_from(const Json& json) {
   RunRecord r;
   const Json& inputs = json.at("inputs");
   r.relock_version = inputs.at("relock");
+  r.program = inputs.at("program");
   r.opencv_version = inputs.at("opencv");
   r.recording = inputs.at("recording");
   r.fingerprint = inputs.at("fingerprint");
@@ -86,7 +88,7 @@ RunRecord record_from(const Json& json) {
 /// What must be the same for runs to stand in one table: the inputs but the method and the program.
 Json conditions(const RunRecord& record) {
   Json inputs = inputs_json(record);
-  for (const char* own : {"relock", "opencv", "method", "options"}) inputs.erase(own);
+  for (const char* own : {"relock", "program", "opencv", "method", "options"}) inputs.erase(own);
   return inputs;
 }
 

@@ -14,6 +14,7 @@ namespace relock {
 struct RunRecord {
   // What went in. A run with the same of these is not run again.
   std::string relock_version;
+  std::string program;  ///< fingerprint of the program itself
   std::string opencv_version;
   std::string recording;                       ///< its name
   std::string fingerprint;                     ///< of its pictures, times and labels

@@ -139,6 +139,12 @@ Sequence open_sequence(const fs::path& path, const OpenOptions& options) {
   return sequence;
 }
 
+std::string file_fingerprint(const fs::path& path) {
+  Fingerprint print;
+  print.add_file(path);
+  return print.text();
+}
+
 void write_truth(const fs::path& folder, const Recording& recording) {
   std::ofstream toml(folder / "recording.toml", std::ios::binary);
   toml << description_text(recording);

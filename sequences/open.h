@@ -31,6 +31,9 @@ struct OpenOptions {
 /// Opens the recording at `path`. Throws Error when it is none, or its labels are of another recording.
 Sequence open_sequence(const std::filesystem::path& path, const OpenOptions& options = {});
 
+/// Of one file's bytes. Throws Error when it cannot be read.
+std::string file_fingerprint(const std::filesystem::path& path);
+
 /// Writes everything about a recording but its pictures into `folder`, which exists: recording.toml,
 /// timestamps.csv and labels.csv.
 void write_truth(const std::filesystem::path& folder, const Recording& recording);

@@ -8,7 +8,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 run() { "$relock" run "$@" >"$work/said" 2>&1; }
-bytes_of() { (cd "$1" && find . -type f ! -name timing.csv ! -name 'run.json' -print0 | sort -z | xargs -0 sha256sum); }
+bytes_of() { (cd "$1" && find . -type f ! -name timing.csv -print0 | sort -z | xargs -0 sha256sum); }
 
 lossy='trace(recordings/gap_traces/tagslam_test_14_top_left.csv)'
 run --sequence recordings/klahaag-prints --methods kcf,aruco,apriltag --gaps "$lossy" --out "$work/a"
