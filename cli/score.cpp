@@ -15,6 +15,11 @@
 namespace relock {
 namespace {
 
+constexpr std::string_view kFootnote = R"(
+  recover s: Kaplan-Meier median, > where no more than half recovered while watched. e px, p95, % D: position error over Hits,
+  < where it is below the accuracy of the labels (two standard deviations). common e: over Hits common to all methods.
+)";
+
 std::string cell(const std::optional<double>& value, int decimals) {
   return value ? fmt::format("{:.{}f}", *value, decimals) : "n/a";
 }
@@ -130,12 +135,7 @@ int score(const ScoreArguments& arguments) {
   if (arguments.json) {
     fmt::print("{}", json_array(objects));
   } else {
-    fmt::print(
-        "\n  recover s: Kaplan-Meier median, > where no more than half recovered while watched. e px, p95, % "
-        "D: "
-        "position error over Hits,\n  < where it is below the accuracy of the labels (two standard "
-        "deviations). "
-        "common e: over Hits common to all methods.\n");
+    fmt::print("{}", kFootnote);
   }
   return 0;
 }
