@@ -40,6 +40,8 @@ void add_run(CLI::App& app, RunArguments& a) {
       ->capture_default_str();
   verb.add_option("--labels", a.labels, "its labels; else labels.csv in the recording's folder");
   verb.add_option("--rate", a.rate_hz, "nominal rate, Hz; also makes the times of a recording that has none");
+  verb.add_option("--format", a.format, "how it is kept on disk; else recognised");
+  verb.add_option("--topic", a.topic, "ROS bags: of the pictures; else the only one that has any");
   verb.add_option("--methods", a.methods, "names, separated by commas: kcf,aruco,csrt(psr_threshold=0.05)")
       ->required();
   verb.add_option("--protocol", a.protocol, "once, reset (start again after a loss) or detect (no start)")

@@ -167,7 +167,8 @@ int run(const RunArguments& arguments, const Methods& methods) {
   const auto chosen = chosen_methods(arguments, methods, protocol);
   GapPattern gaps = GapPattern::parse(arguments.gaps);
   Sequence sequence =
-      open_sequence(recording_folder(arguments.sequence), {arguments.labels, arguments.rate_hz, {}});
+      open_sequence(recording_folder(arguments.sequence),
+                                    {arguments.labels, arguments.rate_hz, {}, arguments.format, arguments.topic});
   check_labels(sequence, arguments);
   for (const ChosenMethod& method : chosen) asked(method, sequence.recording);
   const Schedule schedule = gaps.apply(sequence.recording.captured, sequence.recording.period, arguments.seed,

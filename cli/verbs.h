@@ -17,6 +17,8 @@ struct RunArguments {
       "klahaag";  ///< a folder, or the name of a recording that relock comes with
   std::optional<std::filesystem::path> labels;
   std::optional<double> rate_hz;
+  std::optional<std::string> format;  ///< else recognised
+  std::optional<std::string> topic;   ///< ROS bags
   std::string methods;
   std::string protocol = "once";
   std::string gaps = "none";

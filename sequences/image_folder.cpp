@@ -43,14 +43,6 @@ bool before_by_name(const fs::path& a, const fs::path& b) {
   return p < q;
 }
 
-std::vector<fs::path> pictures_in(const fs::path& folder) {
-  std::vector<fs::path> all;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file() && is_picture(entry.path())) all.push_back(entry.path());
-  std::sort(all.begin(), all.end(), before_by_name);
-  return all;
-}
-
 std::vector<fs::path> named_pictures(const fs::path& folder, const std::vector<std::string>& names) {
   std::vector<fs::path> all;
   for (const std::string& name : names) all.push_back(folder / name);
@@ -63,17 +55,9 @@ std::vector<Time> steady_times(std::size_t frames, Duration period) {
   return times;
 }
 
-/// Times at a stated rate: rounded each by itself, so that no rounding adds up.
-std::vector<Time> steady_times(std::size_t frames, double rate_hz) {
-  std::vector<Time> times;
-  for (std::size_t i = 0; i < frames; ++i)
-    times.push_back(Time{from_seconds(static_cast<double>(i) / rate_hz)});
-  return times;
-}
-
-class ImageFolder final : public FrameSource {
+class Pictures final : public FrameSource {
  public:
-  ImageFolder(std::vector<fs::path> pictures, std::vector<Time> captured)
+  Pictures(std::vector<fs::path> pictures, std::vector<Time> captured)
       : pictures_(std::move(pictures)), captured_(std::move(captured)) {
     decode(0);
     size_ = {decoded_.cols, decoded_.rows};
@@ -154,11 +138,37 @@ bool is_picture(const fs::path& path) {
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
-std::unique_ptr<FrameSource> open_image_folder(const fs::path& folder, const Description& description,
-                                               std::optional<double> rate_hz) {
-  if (!fs::exists(folder)) throw Error(fmt::format("{} does not exist", folder.string()));
+std::vector<fs::path> pictures_in(const fs::path& folder) {
+  std::vector<fs::path> all;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file() && is_picture(entry.path())) all.push_back(entry.path());
+  std::sort(all.begin(), all.end(), before_by_name);
+  return all;
+}
+
+std::vector<Time> steady_times(std::size_t frames, double rate_hz) {
+  std::vector<Time> times;
+  for (std::size_t i = 0; i < frames; ++i)
+    times.push_back(Time{from_seconds(static_cast<double>(i) / rate_hz)});
+  return times;
+}
+
+std::unique_ptr<FrameSource> open_pictures(std::vector<fs::path> pictures, std::vector<Time> captured) {
+  if (pictures.empty()) throw Error("this recording has no pictures");
+  if (pictures.size() != captured.size())
+    throw Error(fmt::format("there are {} times for the {} pictures in {}", captured.size(), pictures.size(),
+                            pictures.front().parent_path().string()));
+  return std::make_unique<Pictures>(std::move(pictures), std::move(captured));
+}
+
+bool recognises_image_folder(const fs::path& path) { return fs::is_directory(path); }
+
+FoundRecording find_image_folder(const fs::path& folder, const OpenOptions& options) {
   if (!fs::is_directory(folder))
     throw Error(fmt::format("{} is no folder; a recording is a folder of pictures", folder.string()));
+  FoundRecording found;
+  found.description = read_description(folder);
+  found.labels = folder / "labels.csv";
   const fs::path images = fs::is_directory(folder / "images") ? folder / "images" : folder;
   auto pictures = pictures_in(images);
   std::vector<Time> captured;
@@ -169,10 +179,13 @@ std::unique_ptr<FrameSource> open_image_folder(const fs::path& folder, const Des
       throw Error(fmt::format("{}: there are {} times for {} pictures in {}", path.string(),
                               stamps.captured.size(), pictures.size(), images.string()));
     captured = std::move(stamps.captured);
-  } else if (const auto rate = rate_hz ? rate_hz : description.rate_hz) {
-    captured = steady_times(pictures.size(), *rate);
-  } else if (description.period) {
-    captured = steady_times(pictures.size(), *description.period);
+  } else {
+    found.times_from = TimesFrom::stated_rate;
+    if (const auto rate = options.rate_hz ? options.rate_hz : found.description.rate_hz) {
+      captured = steady_times(pictures.size(), *rate);
+    } else if (found.description.period) {
+      captured = steady_times(pictures.size(), *found.description.period);
+    }
   }
   if (pictures.empty()) throw Error(fmt::format("{} holds no pictures", images.string()));
   if (captured.empty())
@@ -180,7 +193,10 @@ std::unique_ptr<FrameSource> open_image_folder(const fs::path& folder, const Des
         fmt::format("{} says nothing of time: add timestamps.csv, or rate_hz to recording.toml, or "
                     "--rate",
                     folder.string()));
-  return std::make_unique<ImageFolder>(std::move(pictures), std::move(captured));
+  found.data = pictures;
+  std::sort(found.data.begin(), found.data.end());
+  found.frames = [pictures, captured] { return open_pictures(pictures, captured); };
+  return found;
 }
 
 }  // namespace relock

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "core/error.h"
-#include "sequences/image_folder.h"
+#include "sequences/format.h"
 #include "sequences/timestamps.h"
 
 namespace relock {
@@ -85,13 +85,9 @@ std::string description_text(const Recording& recording) {
 }
 
 /// Of the pictures' bytes, the times and the truth: of all that a run and its scores depend on.
-std::string fingerprint(const fs::path& folder, const Recording& recording) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file() && is_picture(entry.path())) files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
+std::string fingerprint(const std::vector<fs::path>& data, const Recording& recording) {
   Fingerprint print;
-  for (const fs::path& file : files) print.add_file(file);
+  for (const fs::path& file : data) print.add_file(file);
   std::ostringstream times, labels;
   write_timestamps(times, recording.captured);
   write_labels(labels, recording);
@@ -110,32 +106,39 @@ Duration period_of_recording(const Description& description, const OpenOptions& 
 
 }  // namespace
 
+std::string_view to_string(TimesFrom times) {
+  constexpr std::string_view names[] = {"recorded", "stated rate", "assumed rate"};
+  return names[static_cast<std::size_t>(times)];
+}
+
 Sequence open_sequence(const fs::path& path, const OpenOptions& options) {
   if (options.rate_hz && !(*options.rate_hz >= kLeastRate_hz && *options.rate_hz <= kMostRate_hz))
     throw Error(fmt::format("a rate of {} Hz is none; it must be from {} to {}", *options.rate_hz,
                             kLeastRate_hz, kMostRate_hz));
-  if (!fs::is_directory(path)) open_image_folder(path, {}, options.rate_hz);  // says what is wrong
-  const Description description = read_description(path);
-  auto source = open_image_folder(path, description, options.rate_hz);
+  const Format& format = format_of(path, options.format);
+  FoundRecording found = format.find(path, options);
+  const auto source = found.frames();
 
   Sequence sequence;
-  sequence.recording.name = description.name;
+  sequence.format = format.name;
+  sequence.times_from = found.times_from;
+  sequence.recording.name = found.description.name;
   sequence.recording.picture = source->picture_size();
   sequence.recording.captured.assign(source->captured().begin(), source->captured().end());
-  sequence.period_stated = options.rate_hz || description.period;
-  sequence.recording.period = period_of_recording(description, options, source->captured());
+  sequence.period_stated = options.rate_hz || found.description.period;
+  sequence.recording.period = period_of_recording(found.description, options, source->captured());
   sequence.median_interval =
       source->captured().size() > 1 ? median_interval(source->captured()) : sequence.recording.period;
 
-  const fs::path labels = options.labels.value_or(path / "labels.csv");
+  const fs::path labels = options.labels.value_or(found.labels);
   if (options.labels || fs::exists(labels)) {
     std::ifstream in = open_file(labels);
-    read_labels(in, labels.string(), description, options.limits, sequence.recording);
+    read_labels(in, labels.string(), found.description, options.limits, sequence.recording);
+  } else if (found.label) {
+    found.label(options.limits, sequence.recording);
   }
-  sequence.fingerprint = fingerprint(path, sequence.recording);
-  sequence.frames = [path, description, options] {
-    return open_image_folder(path, description, options.rate_hz);
-  };
+  sequence.fingerprint = fingerprint(found.data, sequence.recording);
+  sequence.frames = std::move(found.frames);
   return sequence;
 }
 

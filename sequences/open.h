@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/frame_source.h"
 #include "core/recording.h"
@@ -13,11 +14,21 @@
 
 namespace relock {
 
+/// Where capture times come from.
+enum class TimesFrom : std::uint8_t {
+  recorded,      ///< from the camera or the container
+  stated_rate,   ///< made from a rate that the user or the recording states
+  assumed_rate,  ///< made from the rate that is usual for the format; nobody stated it
+};
+std::string_view to_string(TimesFrom times);
+
 /// A recording opened from disk: its truth, and as many passes over its frames as are asked for.
 struct Sequence {
   Recording recording;
   Duration median_interval{};  ///< of all capture intervals; the period where there is one frame
   bool period_stated = false;  ///< the period was stated, not found from the capture times
+  std::string format;          ///< its name, sequences/format.h
+  TimesFrom times_from = TimesFrom::recorded;
   std::string fingerprint;     ///< of pictures, times and labels: the same inputs, the same text
   std::function<std::unique_ptr<FrameSource>()> frames;  ///< a new pass from the first frame
 };
@@ -26,6 +37,8 @@ struct OpenOptions {
   std::optional<std::filesystem::path> labels = {};  ///< else FOLDER/labels.csv; without either, no targets
   std::optional<double> rate_hz = {};                ///< for recordings that state no times
   LabelLimits limits = {};
+  std::optional<std::string> format = {};  ///< else recognised (sequences/format.h)
+  std::optional<std::string> topic = {};   ///< ROS bags: of the pictures; else the only one that has any
 };
 
 /// Opens the recording at `path`. Throws Error when it is none, or its labels are of another recording.
