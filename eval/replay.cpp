@@ -56,8 +56,17 @@ void check_sighting(const Sighting& sighting, const Recording& recording) {
   }
 }
 
-std::string sentence_of(const std::exception& fault) {
-  return dynamic_cast<const std::bad_alloc*>(&fault) ? "ran out of memory" : fault.what();
+/// To be called in a handler: what the method threw, which may be no exception at all.
+std::string sentence_of_what_was_thrown() {
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    return "ran out of memory";
+  } catch (const std::exception& fault) {
+    return fault.what();
+  } catch (...) {
+    return "threw something that is no exception";
+  }
 }
 
 /// One replay: which targets are started when, and what was said.
@@ -116,8 +125,8 @@ class Run {
       const auto& truth = recording_.truth_of(static_cast<std::size_t>(frame.index), t);
       try {
         method_.start(frame, recording_.targets[t], bounds(*truth.outline));
-      } catch (const std::exception& fault) {
-        fail(t, frame.index, sentence_of(fault));
+      } catch (...) {
+        fail(t, frame.index, sentence_of_what_was_thrown());
       }
     }
   }
@@ -130,9 +139,9 @@ class Run {
       // As the file will have them, so that replay and scoring judge the same numbers.
       for (Sighting& sighting : said) sighting = as_stored(std::move(sighting));
       report.sightings = std::move(said);
-    } catch (const std::exception& fault) {
+    } catch (...) {
       for (std::size_t t = 0; t < targets(); ++t) mark_failed(t, frame.index);
-      result_.failures.push_back({frame.index, sentence_of(fault)});
+      result_.failures.push_back({frame.index, sentence_of_what_was_thrown()});
     }
   }
 
