@@ -140,17 +140,23 @@ void put_targets(std::vector<LabelledTarget> targets, const Description& descrip
     if (std::find(ids.begin(), ids.end(), entry.target.id) == ids.end())
       throw Error(fmt::format("recording.toml of {} speaks of a target \"{}\", and the labels are of {}",
                               recording.name, entry.target.id, fmt::join(ids, ", ")));
+  const auto entry_of = [&](const LabelledTarget& target) {
+    return std::find_if(description.targets.begin(), description.targets.end(),
+                        [&](const auto& entry) { return entry.target.id == target.id; });
+  };
   recording.targets.clear();
+  for (const LabelledTarget& target : targets) {
+    const auto entry = entry_of(target);
+    recording.targets.push_back(entry == description.targets.end() ? Target{target.id} : entry->target);
+  }
   recording.truth.assign(recording.frames() * targets.size(), TargetTruth{});
   for (std::size_t t = 0; t < targets.size(); ++t) {
-    const auto entry = std::find_if(description.targets.begin(), description.targets.end(),
-                                    [&](const auto& e) { return e.target.id == targets[t].id; });
-    const bool described = entry != description.targets.end();
-    recording.targets.push_back(described ? entry->target : Target{targets[t].id});
+    const auto entry = entry_of(targets[t]);
+    const bool own_sigma = entry != description.targets.end() && entry->sigma_px;
     for (std::size_t i = 0; i < targets[t].truth.size(); ++i) {
       TargetTruth& truth = recording.truth_of(targets[t].first_frame + i, t);
       truth = std::move(targets[t].truth[i]);
-      truth.sigma_px = described && entry->sigma_px ? *entry->sigma_px : description.sigma_px;
+      truth.sigma_px = own_sigma ? *entry->sigma_px : description.sigma_px;
     }
   }
 }
