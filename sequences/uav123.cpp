@@ -32,13 +32,13 @@ std::optional<std::string> cut_from(const std::string& name) {
   return name.substr(0, line);
 }
 
-/// Annotations of pieces of the folder of pictures `name`.
+/// Names of the annotations of pieces of the folder of pictures `name`.
 std::vector<std::string> pieces(const fs::path& annotations, const std::string& name) {
   std::vector<std::string> all;
   std::error_code unreadable;
   for (const auto& entry : fs::directory_iterator(annotations, unreadable))
     if (entry.path().extension() == ".txt" && cut_from(entry.path().stem().string()) == name)
-      all.push_back(entry.path().string());
+      all.push_back(entry.path().filename().string());
   std::sort(all.begin(), all.end());
   return all;
 }
@@ -164,8 +164,9 @@ FoundRecording find_uav123(const fs::path& path, const OpenOptions& options) {
     found.labels = place->pictures / "labels.csv";
   const auto cut = pieces_of(*place);
   if (place->annotation.empty() && !cut.empty() && !options.labels && !fs::exists(found.labels))
-    throw Error(fmt::format("{} is cut into pieces; open one of them by its annotation: {}",
-                            place->pictures.string(), fmt::join(cut, ", ")));
+    throw Error(fmt::format("{} is cut into pieces; open one of them by its annotation, {} in {}",
+                            path.string(), fmt::join(cut, " or "),
+                            (place->root / "anno" / place->pictures.parent_path().filename()).string()));
   OwnTimes own;
   const bool reduced = place->pictures.parent_path().filename().string().ends_with("10fps");
   own.assumed_rate_hz = reduced ? kReducedRate_hz : kUsualRate_hz;

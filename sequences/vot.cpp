@@ -77,6 +77,12 @@ Properties read_properties(const fs::path& file) {
   return read;
 }
 
+/// Also false for what is no path at all: the names come out of a file.
+bool is_folder(const fs::path& path) {
+  std::error_code fault;
+  return fs::is_directory(path, fault);
+}
+
 /// The folder of the pictures of the channel that is read.
 fs::path picture_folder(const fs::path& root, const Properties& properties) {
   const auto named = properties.values.find("channel.default");
@@ -90,13 +96,13 @@ fs::path picture_folder(const fs::path& root, const Properties& properties) {
     std::string pattern = properties.values.at(key);
     std::replace(pattern.begin(), pattern.end(), '\\', '/');
     const fs::path folder = root / pattern;
-    return fs::is_directory(folder) ? folder : folder.parent_path();
+    return is_folder(folder) ? folder : folder.parent_path();
   }
   return fs::is_directory(root / "color") ? root / "color" : root;
 }
 
 std::vector<fs::path> pictures_of(const fs::path& folder, const Properties& properties) {
-  if (!fs::is_directory(folder))
+  if (!is_folder(folder))
     throw Error(fmt::format("{} says that the pictures are in {}, and there is no such folder",
                             properties.file, folder.string()));
   auto pictures = pictures_in(folder);

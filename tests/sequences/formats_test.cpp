@@ -69,6 +69,15 @@ TEST(Formats, AreRecognisedByTheirLooks) {
   }
 }
 
+TEST(Formats, TakeAFolderOfPicturesForNoBenchmark) {
+  const Scratch scratch;
+  copy(kSamples / "otb/img", scratch, "clip");
+  scratch.write("clip/timestamps.csv", "timestamp_ns\n0\n1\n2\n3\n4\n");
+  scratch.write("clip/groundtruth_of_mine.csv", "x\n");
+  EXPECT_EQ(opened(scratch.path() / "clip").format, "folder");
+  EXPECT_EQ(opened(fs::path(RELOCK_SOURCE_DIR) / "recordings/klahaag").format, "folder");
+}
+
 TEST(Formats, SeeTheTargetWhereItIsDrawn) {
   for (const char* path : {"otb", "vot", "vot-2013", "got10k", "uav123/data_seq/UAV123/bike1"}) {
     const Recording recording = opened(kSamples / path).recording;
@@ -280,6 +289,9 @@ TEST(Vot, WithoutTimestampsHasTheRateThatTheSequenceStates) {
   EXPECT_EQ(sequence.times_from, TimesFrom::stated_rate);
   EXPECT_EQ(intervals_ms(sequence), (std::vector<std::int64_t>{40, 40, 40}));
   EXPECT_EQ(labels_of(sequence.recording), "vuuu") << "only the start is published";
+  scratch.write("x/sequence", "channels.color=" + std::string(9000, 'c') + "/%08d.jpg\n");
+  EXPECT_NE(fault_of([&] { opened(scratch.path() / "x"); }).find("there is no such folder"),
+            std::string::npos);
   scratch.write("x/sequence", "fps=fast\n");
   EXPECT_NE(fault_of([&] { opened(scratch.path() / "x"); }).find("sequence:1: fps is \"fast\""),
             std::string::npos);
