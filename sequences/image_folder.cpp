@@ -163,6 +163,47 @@ std::unique_ptr<FrameSource> open_pictures(std::vector<fs::path> pictures, std::
 
 bool recognises_image_folder(const fs::path& path) { return fs::is_directory(path); }
 
+TimedPictures timed_pictures(const fs::path& folder, std::vector<fs::path> pictures, const fs::path& sidecars,
+                             const Description& description, const OpenOptions& options,
+                             const OwnTimes& own) {
+  TimedPictures timed{std::move(pictures), own.captured};
+  if (const auto path = sidecars / "timestamps.csv"; fs::exists(path)) {
+    auto stamps = read_timestamps(path);
+    if (!stamps.files.empty()) timed.pictures = named_pictures(folder, stamps.files);
+    if (stamps.captured.size() != timed.pictures.size())
+      throw Error(fmt::format("{}: there are {} times for {} pictures in {}", path.string(),
+                              stamps.captured.size(), timed.pictures.size(), folder.string()));
+    timed.captured = std::move(stamps.captured);
+  }
+  if (timed.pictures.empty()) throw Error(fmt::format("{} holds no pictures", folder.string()));
+  if (!timed.captured.empty()) return timed;
+  timed.times_from = TimesFrom::stated_rate;
+  const auto rate = options.rate_hz ? options.rate_hz : description.rate_hz;
+  if (!rate && description.period) {
+    timed.captured = steady_times(timed.pictures.size(), *description.period);
+  } else if (rate || own.stated_rate_hz) {
+    timed.captured = steady_times(timed.pictures.size(), rate ? *rate : *own.stated_rate_hz);
+  } else if (own.assumed_rate_hz) {
+    timed.times_from = TimesFrom::assumed_rate;
+    timed.captured = steady_times(timed.pictures.size(), *own.assumed_rate_hz);
+  } else {
+    throw Error(
+        fmt::format("{} says nothing of time: add timestamps.csv, or rate_hz to recording.toml, or "
+                    "--rate",
+                    sidecars.string()));
+  }
+  return timed;
+}
+
+void show(TimedPictures timed, FoundRecording& found) {
+  found.times_from = timed.times_from;
+  found.data = timed.pictures;
+  std::sort(found.data.begin(), found.data.end());
+  found.frames = [pictures = std::move(timed.pictures), captured = std::move(timed.captured)] {
+    return open_pictures(pictures, captured);
+  };
+}
+
 FoundRecording find_image_folder(const fs::path& folder, const OpenOptions& options) {
   if (!fs::is_directory(folder))
     throw Error(fmt::format("{} is no folder; a recording is a folder of pictures", folder.string()));
@@ -170,32 +211,7 @@ FoundRecording find_image_folder(const fs::path& folder, const OpenOptions& opti
   found.description = read_description(folder);
   found.labels = folder / "labels.csv";
   const fs::path images = fs::is_directory(folder / "images") ? folder / "images" : folder;
-  auto pictures = pictures_in(images);
-  std::vector<Time> captured;
-  if (const auto path = folder / "timestamps.csv"; fs::exists(path)) {
-    auto stamps = read_timestamps(path);
-    if (!stamps.files.empty()) pictures = named_pictures(images, stamps.files);
-    if (stamps.captured.size() != pictures.size())
-      throw Error(fmt::format("{}: there are {} times for {} pictures in {}", path.string(),
-                              stamps.captured.size(), pictures.size(), images.string()));
-    captured = std::move(stamps.captured);
-  } else {
-    found.times_from = TimesFrom::stated_rate;
-    if (const auto rate = options.rate_hz ? options.rate_hz : found.description.rate_hz) {
-      captured = steady_times(pictures.size(), *rate);
-    } else if (found.description.period) {
-      captured = steady_times(pictures.size(), *found.description.period);
-    }
-  }
-  if (pictures.empty()) throw Error(fmt::format("{} holds no pictures", images.string()));
-  if (captured.empty())
-    throw Error(
-        fmt::format("{} says nothing of time: add timestamps.csv, or rate_hz to recording.toml, or "
-                    "--rate",
-                    folder.string()));
-  found.data = pictures;
-  std::sort(found.data.begin(), found.data.end());
-  found.frames = [pictures, captured] { return open_pictures(pictures, captured); };
+  show(timed_pictures(images, pictures_in(images), folder, found.description, options, {}), found);
   return found;
 }
 
