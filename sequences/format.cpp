@@ -7,11 +7,14 @@
 #include "core/error.h"
 #include "core/nearest.h"
 #include "sequences/image_folder.h"
+#include "sequences/video.h"
 
 namespace relock {
 namespace {
 
 constexpr std::array kFormats{
+    Format{"video", "a video file (mp4, mkv, avi, …), or a folder that holds one and no pictures",
+           recognises_video, find_video},
     Format{"folder", "a folder of pictures, or with a folder images/ of them, and timestamps.csv",
            recognises_image_folder, find_image_folder},
 };
