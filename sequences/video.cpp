@@ -71,7 +71,7 @@ VideoFiles files_of(const fs::path& path) {
 
 /// Of the sidecar if there is one, else the container's, else at the rate that is stated.
 std::vector<Time> capture_times(const VideoFiles& files, const VideoIndex& index,
-                                std::optional<Duration> period, TimesFrom& from) {
+                                std::optional<double> rate_hz, TimesFrom& from) {
   const std::string video = files.video.string();
   if (fs::exists(files.timestamps)) {
     auto times = read_timestamps(files.timestamps).captured;
@@ -82,11 +82,11 @@ std::vector<Time> capture_times(const VideoFiles& files, const VideoIndex& index
     return times;
   }
   if (!index.by_rank) return index.captured;
-  if (!period)
+  if (!rate_hz)
     throw Error(fmt::format("{} {}: add {}, or rate_hz to {}, or --rate", video, index.untimed,
                             files.timestamps.string(), files.description.string()));
   from = TimesFrom::stated_rate;
-  return steady_times(index.keys.size(), 1.0 / seconds(*period));
+  return steady_times(index.keys.size(), *rate_hz);
 }
 
 }  // namespace
@@ -103,8 +103,9 @@ FoundRecording find_video(const fs::path& path, const OpenOptions& options) {
   found.labels = files.labels;
   found.data = {files.video};
   VideoIndex index = index_video(files.video);
-  const auto period = options.rate_hz ? std::optional(period_of(*options.rate_hz)) : found.description.period;
-  index.captured = capture_times(files, index, period, found.times_from);
+  std::optional<double> rate_hz = options.rate_hz ? options.rate_hz : found.description.rate_hz;
+  if (!rate_hz && found.description.period) rate_hz = 1.0 / seconds(*found.description.period);
+  index.captured = capture_times(files, index, rate_hz, found.times_from);
   const auto shared = std::make_shared<const VideoIndex>(std::move(index));
   found.frames = [video = files.video, shared] { return open_video(video, shared); };
   return found;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.h"
 
 extern "C" {
@@ -25,7 +27,7 @@ bool is_key(const AVFrame& frame) {
 void VideoDecoder::FreeCodec::operator()(AVCodecContext* codec) const { avcodec_free_context(&codec); }
 void VideoDecoder::FreeFrame::operator()(AVFrame* frame) const { av_frame_free(&frame); }
 
-VideoDecoder::VideoDecoder(const std::filesystem::path& path) : file_(path), frame_(av_frame_alloc()) {
+VideoDecoder::VideoDecoder(const std::filesystem::path& path) : file_(path) {
   const AVCodec* decoder = avcodec_find_decoder(file_.stream().codecpar->codec_id);
   codec_.reset(avcodec_alloc_context3(decoder));
   avcodec_parameters_to_context(codec_.get(), file_.stream().codecpar);
@@ -39,15 +41,31 @@ VideoDecoder::VideoDecoder(const std::filesystem::path& path) : file_(path), fra
                     file_.name()));
 }
 
+// A frame may be made from others that are shown after it, as far as the decoder reorders. So it looks that far
+// ahead: one that is damaged taints those.
 std::optional<DecodedFrame> VideoDecoder::next() {
+  if (!held_.empty()) held_.pop_front();
+  while (held_.size() <= static_cast<std::size_t>(std::max(0, codec_->has_b_frames)) && hold()) continue;
+  if (held_.empty()) return {};
+  DecodedFrame first = held_.front().decoded;
+  for (const Held& later : held_) first.whole = first.whole && later.decoded.whole;
+  return first;
+}
+
+bool VideoDecoder::hold() {
+  FramePointer frame(av_frame_alloc());
   for (;;) {
-    const int code = avcodec_receive_frame(codec_.get(), frame_.get());
-    if (code == 0) return describe();
-    if (code == AVERROR_EOF) return {};
+    const int code = avcodec_receive_frame(codec_.get(), frame.get());
+    if (code == AVERROR_EOF) return false;
     if (code == AVERROR(EAGAIN)) {
       feed();
-    } else {
+    } else if (code < 0) {
       lose(AV_NOPTS_VALUE);  // it could not use one of the packets that it holds, and does not say which
+    } else {
+      DecodedFrame decoded{frame.get(), ranks_++, {}, {frame->width, frame->height}, true};
+      note_damage(decoded, *frame);
+      held_.push_back({std::move(frame), decoded});
+      return true;
     }
   }
 }
@@ -66,7 +84,6 @@ void VideoDecoder::feed() {
   }
 }
 
-/// A packet of which no frame comes.
 void VideoDecoder::lose(std::int64_t ticks) {
   ++ranks_;
   if (ticks != AV_NOPTS_VALUE) {
@@ -76,24 +93,22 @@ void VideoDecoder::lose(std::int64_t ticks) {
   }
 }
 
-DecodedFrame VideoDecoder::describe() {
-  DecodedFrame decoded{frame_.get(), ranks_++, {}, true};
-  const bool faulty = frame_->decode_error_flags != 0 || (frame_->flags & AV_FRAME_FLAG_CORRUPT) != 0;
-  if (frame_->best_effort_timestamp == AV_NOPTS_VALUE) {
-    if (faulty || is_key(*frame_)) tainted_ = faulty;
+void VideoDecoder::note_damage(DecodedFrame& decoded, const AVFrame& frame) {
+  const bool faulty = frame.decode_error_flags != 0 || (frame.flags & AV_FRAME_FLAG_CORRUPT) != 0;
+  if (frame.best_effort_timestamp == AV_NOPTS_VALUE) {
+    if (faulty || is_key(frame)) tainted_ = faulty;
     decoded.whole = !tainted_;
-    return decoded;
+    return;
   }
-  const std::int64_t ticks = frame_->best_effort_timestamp;
+  const std::int64_t ticks = frame.best_effort_timestamp;
   decoded.ticks = ticks;
   if (faulty) damaged_.insert(ticks);
-  if (is_key(*frame_) && damaged_.count(ticks) == 0) {
+  if (is_key(frame) && damaged_.count(ticks) == 0) {
     tainted_ = false;
     afresh_ = ticks;
   }
   const auto damage = damaged_.lower_bound(afresh_);
   decoded.whole = !tainted_ && (damage == damaged_.end() || *damage > ticks);
-  return decoded;
 }
 
 }  // namespace relock

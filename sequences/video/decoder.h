@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -19,6 +20,7 @@ struct DecodedFrame {
   const AVFrame* frame = nullptr;     ///< valid until the next one is asked for
   std::int64_t rank = 0;              ///< from 0; packets of which no frame came leave holes
   std::optional<std::int64_t> ticks;  ///< presentation time in units of the stream
+  Size stored;                        ///< before any turn, px
   bool whole = true;                  ///< nothing in it was lost, neither its own data nor what it refers to
 };
 
@@ -46,14 +48,23 @@ class VideoDecoder {
     void operator()(AVFrame* frame) const;
   };
 
-  void lose(std::int64_t ticks);
+  using FramePointer = std::unique_ptr<AVFrame, FreeFrame>;
+  struct Held {
+    FramePointer frame;
+    DecodedFrame decoded;
+  };
+
   /// Gives the decoder one more packet, or tells it that there are no more.
   void feed();
-  DecodedFrame describe();
+  /// A packet of which no frame comes.
+  void lose(std::int64_t ticks);
+  /// Holds one more frame; false at the end.
+  bool hold();
+  void note_damage(DecodedFrame& decoded, const AVFrame& frame);
 
   VideoFile file_;
   std::unique_ptr<AVCodecContext, FreeCodec> codec_;
-  std::unique_ptr<AVFrame, FreeFrame> frame_;
+  std::deque<Held> held_;  // the front is the frame given last
   std::set<std::int64_t> damaged_;
   std::int64_t ranks_ = 0;
   // Damage spreads from frame to frame until a key frame starts afresh.

@@ -15,7 +15,12 @@ class VideoFrames final : public FrameSource {
       : index_(std::move(index)),
         decoder_(path),
         maker_(decoder_.file().turn()),
-        size_(decoder_.file().picture_size()) {}
+        size_(decoder_.file().picture_size()) {
+    decoded_ = decoder_.next();
+    ended_ = !decoded_;
+    // What the container says of the size may be that of later pictures.
+    if (decoded_) size_ = turned(decoded_->stored, decoder_.file().turn());
+  }
 
   std::span<const Time> captured() const override { return index_->captured; }
   Size picture_size() const override { return size_; }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <opencv2/core.hpp>
+#include <string_view>
 
 #include "core/error.h"
 #include "core/opencv.h"
@@ -23,11 +24,12 @@ bool is_gray(const AVPixFmtDescriptor& pixels) {
   return pixels.nb_components == 1 && (pixels.flags & (AV_PIX_FMT_FLAG_PAL | AV_PIX_FMT_FLAG_BAYER)) == 0;
 }
 
-/// Whether black is 0 and white the highest value, rather than 16 and 235 of 255.
+/// Whether black is 0 and white the highest value, rather than 16 and 235 of 255. Grey is taken as it is stored:
+/// codings of grey state a range that writers do not keep to.
 bool is_full_range(const AVFrame& frame, const AVPixFmtDescriptor& pixels) {
+  if (is_gray(pixels) || (pixels.flags & AV_PIX_FMT_FLAG_RGB) != 0) return true;
   if (frame.color_range != AVCOL_RANGE_UNSPECIFIED) return frame.color_range == AVCOL_RANGE_JPEG;
-  return is_gray(pixels) || (pixels.flags & AV_PIX_FMT_FLAG_RGB) != 0 ||
-         std::string_view(pixels.name).substr(0, 4) == "yuvj";
+  return std::string_view(pixels.name).substr(0, 4) == "yuvj";
 }
 
 int matrix_of(const AVFrame& frame) {
@@ -54,8 +56,7 @@ Image PictureMaker::picture(const AVFrame& frame) {
   const AVPixFmtDescriptor* pixels = av_pix_fmt_desc_get(format_of(frame));
   if (!pixels) throw Error("its pixels are of no kind that is known");
   const bool as_stored = !turn_.transposed && !turn_.mirrored_x && !turn_.mirrored_y;
-  if (format_of(frame) == AV_PIX_FMT_GRAY8 && is_full_range(frame, *pixels) && as_stored &&
-      frame.linesize[0] > 0)
+  if (format_of(frame) == AV_PIX_FMT_GRAY8 && as_stored && frame.linesize[0] > 0)
     return {frame.data[0],
             {frame.width, frame.height},
             PixelFormat::gray8,

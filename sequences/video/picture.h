@@ -13,7 +13,7 @@ namespace relock {
 
 /// Makes pictures of decoded frames: bgr8, or gray8 where the video is grey. Range and matrix of the colours
 /// are those that the video states (else limited range and BT.601, as OpenCV and ffmpeg have it); 0 is black
-/// and 255 white. The arithmetic is the same on every machine. Pixels are as stored: those of a stream whose
+/// and 255 white; grey is taken as it is stored. The arithmetic is the same on every machine. Pixels are as stored: those of a stream whose
 /// pixels are not square are not stretched.
 class PictureMaker {
  public:
