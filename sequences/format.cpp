@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/nearest.h"
 #include "sequences/image_folder.h"
+#include "sequences/rosbag.h"
 #include "sequences/video.h"
 
 namespace relock {
@@ -15,6 +16,8 @@ namespace {
 constexpr std::array kFormats{
     Format{"video", "a video file (mp4, mkv, avi, …), or a folder that holds one and no pictures",
            recognises_video, find_video},
+    Format{"rosbag", "a ROS 1 bag with one topic of pictures, or --topic to choose it", recognises_rosbag,
+           find_rosbag},
     Format{"folder", "a folder of pictures, or with a folder images/ of them, and timestamps.csv",
            recognises_image_folder, find_image_folder},
 };

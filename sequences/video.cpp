@@ -1,7 +1,6 @@
 #include "sequences/video.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -9,7 +8,7 @@
 
 #include "core/error.h"
 #include "sequences/image_folder.h"
-#include "sequences/timestamps.h"
+#include "sequences/sidecars.h"
 #include "sequences/video/frames.h"
 #include "sequences/video/index.h"
 
@@ -48,45 +47,21 @@ bool holds_pictures(const fs::path& folder) {
       [&](const fs::directory_entry& entry) { return entry.is_directory() && any(entry.path()); });
 }
 
-/// A recording's video and the files beside it.
-struct VideoFiles {
-  fs::path video, description, timestamps, labels;
-  std::string name;
-};
-
-VideoFiles files_of(const fs::path& path) {
-  if (!fs::is_directory(path)) {
-    const fs::path stem = path.parent_path() / path.stem();
-    return {path, stem.string() + ".toml", stem.string() + ".timestamps.csv", stem.string() + ".labels.csv",
-            path.stem().string()};
-  }
-  const auto videos = videos_in(path);
-  if (videos.empty()) throw Error(fmt::format("{} holds no video", path.string()));
+fs::path only_video_in(const fs::path& folder) {
+  const auto videos = videos_in(folder);
+  if (videos.empty()) throw Error(fmt::format("{} holds no video", folder.string()));
   if (videos.size() > 1)
     throw Error(fmt::format("{} holds {} videos, of which {} is the first; name the one that is meant",
-                            path.string(), videos.size(), videos.front().filename().string()));
-  return {videos.front(), path / "recording.toml", path / "timestamps.csv", path / "labels.csv",
-          folder_name(path)};
+                            folder.string(), videos.size(), videos.front().filename().string()));
+  return videos.front();
 }
 
-/// Of the sidecar if there is one, else the container's, else at the rate that is stated.
-std::vector<Time> capture_times(const VideoFiles& files, const VideoIndex& index,
-                                std::optional<double> rate_hz, TimesFrom& from) {
-  const std::string video = files.video.string();
-  if (fs::exists(files.timestamps)) {
-    auto times = read_timestamps(files.timestamps).captured;
-    if (times.size() != index.keys.size())
-      throw Error(fmt::format("{}: there are {} times for the {} frames of {}{}", files.timestamps.string(),
-                              times.size(), index.keys.size(), video,
-                              index.cut_off ? ", which is cut off" : ""));
-    return times;
-  }
-  if (!index.by_rank) return index.captured;
-  if (!rate_hz)
-    throw Error(fmt::format("{} {}: add {}, or rate_hz to {}, or --rate", video, index.untimed,
-                            files.timestamps.string(), files.description.string()));
-  from = TimesFrom::stated_rate;
-  return steady_times(index.keys.size(), *rate_hz);
+/// A rate that somebody states, for videos that state no times.
+std::optional<double> stated_rate(const OpenOptions& options, const Description& description) {
+  if (options.rate_hz) return options.rate_hz;
+  if (description.rate_hz) return description.rate_hz;
+  if (description.period) return 1.0 / seconds(*description.period);
+  return {};
 }
 
 }  // namespace
@@ -97,17 +72,28 @@ bool recognises_video(const fs::path& path) {
 }
 
 FoundRecording find_video(const fs::path& path, const OpenOptions& options) {
-  const VideoFiles files = files_of(path);
+  const bool in_folder = fs::is_directory(path);
+  const fs::path video = in_folder ? only_video_in(path) : path;
+  const Sidecars sidecars = in_folder ? sidecars_in(path) : sidecars_beside(path);
   FoundRecording found;
-  found.description = read_description(files.description, files.name);
-  found.labels = files.labels;
-  found.data = {files.video};
-  VideoIndex index = index_video(files.video);
-  std::optional<double> rate_hz = options.rate_hz ? options.rate_hz : found.description.rate_hz;
-  if (!rate_hz && found.description.period) rate_hz = 1.0 / seconds(*found.description.period);
-  index.captured = capture_times(files, index, rate_hz, found.times_from);
+  found.description = read_description(sidecars.description, sidecars.name);
+  found.labels = sidecars.labels;
+  found.data = {video};
+
+  VideoIndex index = index_video(video);
+  if (fs::exists(sidecars.timestamps)) {
+    index.captured = sidecar_times(sidecars.timestamps, index.keys.size(),
+                                   video.string() + (index.cut_off ? ", which is cut off" : ""));
+  } else if (index.by_rank) {
+    const auto rate_hz = stated_rate(options, found.description);
+    if (!rate_hz)
+      throw Error(fmt::format("{} {}: add {}, or rate_hz to {}, or --rate", video.string(), index.untimed,
+                              sidecars.timestamps.string(), sidecars.description.string()));
+    index.captured = steady_times(index.keys.size(), *rate_hz);
+    found.times_from = TimesFrom::stated_rate;
+  }
   const auto shared = std::make_shared<const VideoIndex>(std::move(index));
-  found.frames = [video = files.video, shared] { return open_video(video, shared); };
+  found.frames = [video, shared] { return open_video(video, shared); };
   return found;
 }
 
