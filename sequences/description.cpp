@@ -90,11 +90,18 @@ void read_targets(const Table& root, const std::string& file, Description& descr
 
 }  // namespace
 
-Description read_description(const std::filesystem::path& folder) {
-  Description description;
+std::string folder_name(const std::filesystem::path& folder) {
   const auto canonical = std::filesystem::weakly_canonical(folder);
-  description.name = (canonical.has_filename() ? canonical : canonical.parent_path()).filename().string();
-  const auto path = folder / "recording.toml";
+  return (canonical.has_filename() ? canonical : canonical.parent_path()).filename().string();
+}
+
+Description read_description(const std::filesystem::path& folder) {
+  return read_description(folder / "recording.toml", folder_name(folder));
+}
+
+Description read_description(const std::filesystem::path& path, const std::string& called) {
+  Description description;
+  description.name = called;
   if (!std::filesystem::exists(path)) return description;
 
   const std::string file = path.string();

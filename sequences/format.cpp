@@ -10,8 +10,10 @@
 #include "sequences/got10k.h"
 #include "sequences/image_folder.h"
 #include "sequences/otb.h"
+#include "sequences/rosbag.h"
 #include "sequences/tum.h"
 #include "sequences/uav123.h"
+#include "sequences/video.h"
 #include "sequences/vot.h"
 
 namespace relock {
@@ -28,6 +30,10 @@ constexpr std::array kFormats{
     Format{"otb", "a sequence of OTB: img/0001.jpg … and groundtruth_rect.txt", recognises_otb, find_otb},
     Format{"uav123", "a sequence of UAV123: 000001.jpg … and anno/UAV123/NAME.txt, or that file",
            recognises_uav123, find_uav123},
+    Format{"video", "a video file (mp4, mkv, avi, …), or a folder that holds one and no pictures",
+           recognises_video, find_video},
+    Format{"rosbag", "a ROS 1 bag with one topic of pictures, or --topic to choose it", recognises_rosbag,
+           find_rosbag},
     Format{"folder", "a folder of pictures, or with a folder images/ of them, and timestamps.csv",
            recognises_image_folder, find_image_folder},
 };

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
-#include <opencv2/imgcodecs.hpp>
 
 #include "core/error.h"
 #include "core/opencv.h"
+#include "sequences/encoded_picture.h"
 #include "sequences/timestamps.h"
 
 namespace relock {
@@ -91,31 +91,14 @@ class Pictures final : public FrameSource {
       throw Error(fmt::format("{}: this picture cannot be opened", name));
     bytes_.resize(static_cast<std::size_t>(in.tellg()));
     in.seekg(0).read(reinterpret_cast<char*>(bytes_.data()), static_cast<std::streamsize>(bytes_.size()));
-    if (!in || bytes_.empty() || cut_off_jpeg())
-      throw Error(fmt::format("{}: this picture is cut off after {} bytes", name, bytes_.size()));
+    if (!in) throw Error(fmt::format("{}: this picture cannot be read to its end", name));
     decoded_index_ = static_cast<std::size_t>(-1);
-    if (!decoded()) throw Error(fmt::format("{}: this is no picture that can be read", name));
-    decoded_index_ = index;
-  }
-
-  /// Decodes `bytes_`. Into a new buffer: into one that it may reuse, OpenCV answers a picture that it cannot
-  /// decode with what was in there before.
-  bool decoded() {
     try {
-      decoded_ = cv::imdecode(bytes_, cv::IMREAD_ANYCOLOR);
-    } catch (const cv::Exception&) {
-      decoded_.release();
+      decoded_ = decode_picture(bytes_);
+    } catch (const Error& fault) {
+      throw Error(fmt::format("{}: {}", name, fault.what()));
     }
-    return !decoded_.empty();
-  }
-
-  /// libjpeg fills what is missing with grey and says nothing that can be asked: the end marker tells.
-  bool cut_off_jpeg() const {
-    if (bytes_.size() < 4 || bytes_[0] != 0xFF || bytes_[1] != 0xD8) return false;
-    const std::size_t tail = std::min<std::size_t>(bytes_.size(), 1024);  // cameras pad behind the marker
-    for (std::size_t i = bytes_.size() - tail; i + 1 < bytes_.size(); ++i)
-      if (bytes_[i] == 0xFF && bytes_[i + 1] == 0xD9) return false;
-    return true;
+    decoded_index_ = index;
   }
 
   std::vector<fs::path> pictures_;
