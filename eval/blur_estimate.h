@@ -29,9 +29,9 @@ constexpr double kLeastBlurRegion_px = 32;
 /// most likely is taken (Whittle's likelihood, over 64 px windows that overlap by half).
 ///
 /// What it is good for was measured by blurring real pictures (tests/eval/blur_estimate_test.cpp prints the
-/// table): on a whole picture, lengths from 3 to 20 px within 15 % and directions within 5 degrees; on
-/// a target of 40 to 60 px, lengths from 4 to 16 px within 25 % and 0.5 px in about nine of ten answers, and
-/// it declines more often than not from 12 px on. Repeated patterns (bars, fences) can deceive it.
+/// table): on a whole picture, lengths from 3 to 20 px within 10 %, directions within 5 degrees from 6 px on and
+/// 15 below; on a target of 40 to 60 px, three to four of five answers are within 25 % and 0.5 px, and from 9 px
+/// on it declines in half of the cases. Repeated patterns (bars, fences) can deceive it.
 class BlurEstimator {
  public:
   BlurEstimator();
