@@ -8,6 +8,7 @@
 #include <opencv2/core/version.hpp>
 
 #include "cli/catalogue.h"
+#include "cli/recording_path.h"
 #include "cli/run_folder.h"
 #include "cli/terminal.h"
 #include "cli/verbs.h"
@@ -63,12 +64,6 @@ void check_labels(const Sequence& sequence, const RunArguments& arguments) {
   for (const TargetTruth& truth : recording.truth)
     if (truth.label == Label::visible) return;
   throw Error(fmt::format("no target of {} is ever visible, so there is nothing to score", recording.name));
-}
-
-/// The folder of a recording: as given, or of that name among those that relock comes with.
-std::filesystem::path recording_folder(const std::filesystem::path& given) {
-  const auto embedded = std::filesystem::path(RELOCK_RECORDINGS) / given;
-  return !std::filesystem::exists(given) && std::filesystem::exists(embedded) ? embedded : given;
 }
 
 std::vector<bool> asked(const ChosenMethod& method, const Recording& recording) {
@@ -167,7 +162,7 @@ int run(const RunArguments& arguments, const Methods& methods) {
   const auto chosen = chosen_methods(arguments, methods, protocol);
   GapPattern gaps = GapPattern::parse(arguments.gaps);
   Sequence sequence =
-      open_sequence(recording_folder(arguments.sequence),
+      open_sequence(recording_path(arguments.sequence),
                                     {arguments.labels, arguments.rate_hz, {}, arguments.format, arguments.topic});
   check_labels(sequence, arguments);
   for (const ChosenMethod& method : chosen) asked(method, sequence.recording);
