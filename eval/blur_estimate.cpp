@@ -16,8 +16,9 @@ using std::numbers::pi;
 constexpr double kShortest_px = 2;  // looked for, so that a blur below kLeastBlur_px has where to go
 constexpr double kToldFromNone_px = 2.6;
 constexpr double kLengthStep = 1.25;
-constexpr double kLeastGain = 0.01;  // a frequency
-constexpr double kMostRival = 0.5;   // gain of the best answer of another direction, in that of the best
+constexpr double kLeastGain = 0.01;           // a frequency
+constexpr double kLeastGainOfRegion = 0.035;  // few windows: chance alone gains more
+constexpr double kMostRival = 0.5;  // gain of the best answer of another direction, in that of the best
 constexpr double kOtherDirection_rad = pi / 6;
 constexpr double kLobe_px = 4;  // shorter blurs show no lobe: other causes look alike
 constexpr double kNoiseQuantile = 0.1;
@@ -258,7 +259,8 @@ std::optional<BlurEstimate> BlurEstimator::estimate(const Image& picture,
   const auto belief = [](const Candidate& c) { return weight(c.length_px) * c.gain; };
   const auto less = [&](const Candidate& a, const Candidate& b) { return belief(a) < belief(b); };
   const Candidate best = *std::max_element(all.begin(), all.end(), less);
-  if (belief(best) < kLeastGain || best.length_px < kToldFromNone_px) return BlurEstimate{};
+  if (belief(best) < (region ? kLeastGainOfRegion : kLeastGain) || best.length_px < kToldFromNone_px)
+    return BlurEstimate{};
   for (const Candidate& rival : all)
     if (angle_between(rival.direction_rad, best.direction_rad) > kOtherDirection_rad &&
         belief(rival) > kMostRival * belief(best))

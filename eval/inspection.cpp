@@ -146,6 +146,7 @@ BlurSummary summarise(std::span<const BlurOfFrame> frames) {
     if (asked.size_px)
       shares.add(asked.blur->length_px / *asked.size_px, static_cast<std::size_t>(asked.frame));
   }
+  if (summary.declined > summary.measured + summary.below) return summary;  // the rest is no fair sample
   summary.length_px = px.spread();
   summary.length_d = shares.spread();
   return summary;

@@ -70,8 +70,8 @@ Inspection inspect(const Recording& recording);
 /// Blur estimates of one target, or of the whole picture, over a recording.
 struct BlurSummary {
   std::size_t measured = 0, below = 0, declined = 0;  ///< frames: a length, length 0, no answer
-  std::optional<Spread> length_px{};                  ///< over measured and below (as 0); nothing without any
-  std::optional<Spread> length_d{};                   ///< in the target's D; nothing for the whole picture
+  std::optional<Spread> length_px{};  ///< over measured and below (as 0); nothing when most were declined
+  std::optional<Spread> length_d{};   ///< in the target's D; nothing for the whole picture
 };
 /// The answer for a frame that was asked about, and the target's size on it (nothing: the whole picture).
 struct BlurOfFrame {

@@ -101,7 +101,7 @@ TEST(BlurEstimate, OfAWholePictureIsWithinTenPercentFrom3To20Pixels) {
   fmt::print("{}", table);
 }
 
-TEST(BlurEstimate, OfATargetIsRightInThreeOfFourAnswersAndDeclinesWhenUnsure) {
+TEST(BlurEstimate, OfATargetIsRightInTwoOfThreeAnswersOrMoreAndHardlyEverBlursASharpOne) {
   const BlurEstimator estimator;
   const std::array<Box, 5> regions{{{257.5, 45.5, 42, 53},
                                     {59.5, 30.5, 48, 55},
@@ -119,10 +119,10 @@ TEST(BlurEstimate, OfATargetIsRightInThreeOfFourAnswersAndDeclinesWhenUnsure) {
       }
     table += tally.line(length);
     if (length >= 4) {
-      EXPECT_GE(tally.right, 3 * tally.wrong) << length << " px";
+      EXPECT_GE(tally.right, 2 * tally.wrong) << length << " px";
     }
     if (length == 0) {
-      EXPECT_LE(tally.wrong, tally.asked / 5) << "sharp pictures";
+      EXPECT_LE(tally.wrong, tally.asked / 15) << "sharp pictures";
     }
   }
   fmt::print("{}", table);
