@@ -23,9 +23,11 @@ void check_times(const std::filesystem::path& file) {
   if (faults.empty()) return;
   std::string list;
   for (std::size_t i = 0; i < std::min(faults.size(), kShownFaults); ++i)
-    list += fmt::format("{}line {} {} by {:.3f} ms", i == 0 ? "" : ", ", faults[i].line,
-                        faults[i].time == faults[i].before ? "repeats" : "goes back",
-                        1e3 * seconds(faults[i].before - faults[i].time));
+    list += fmt::format(
+        "{}line {} {}", i == 0 ? "" : ", ", faults[i].line,
+        faults[i].time == faults[i].before
+            ? "repeats"
+            : fmt::format("goes back by {:.3f} ms", 1e3 * seconds(faults[i].before - faults[i].time)));
   if (faults.size() > kShownFaults) list += ", …";
   throw Error(
       fmt::format("{}: {} of the capture times do not rise ({}); they must, so remove or mend these rows",

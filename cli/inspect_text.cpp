@@ -144,7 +144,7 @@ std::string blur(const InspectReport& report) {
         "and\n"
         "  direction. From {:.0f} to {:.0f} px: within 10 % on a whole picture. On a target 8 of 10 answers "
         "of 3 to 9 px\n"
-        "  are within 25 %, but a third of such blurs pass for none, and cells of a marker may pass for "
+        "  are within 25 %, but about half of such blurs pass for none, and cells of a marker may pass for "
         "blur.\n",
         kLeastBlur_px, kMostBlur_px);
   return text;

@@ -30,8 +30,8 @@ constexpr double kLeastBlurRegion_px = 32;
 ///
 /// What it is good for was measured by blurring real pictures (tests/eval/blur_estimate_test.cpp prints the
 /// table): on a whole picture, lengths from 3 to 20 px within 10 %, directions within 5 degrees from 6 px on and
-/// 15 below; on a target of 40 to 60 px eight of ten answers from 3 to 9 px are within 25 % and 0.5 px, but a
-/// third of such blurs pass for none, and longer ones mostly do. Repeated patterns deceive it: on printed markers
+/// 15 below; on a target of 40 to 60 px eight of ten answers from 3 to 9 px are within 25 % and 0.5 px, but
+/// about half of such blurs pass for none. Repeated patterns deceive it: on printed markers
 /// with cells of 6 px (recordings/klahaag-prints) the few answers that it gives are the cells, not the blur.
 class BlurEstimator {
  public:

@@ -44,7 +44,7 @@ expect_contains "fit for gaps" "gaps as recorded: 1 of 6 intervals, up to 4 slot
 printf 'timestamp_ns\n0\n33000000\n33000000\n198000000\n231000000\n64000000\n297000000\n' >"$work/clip/timestamps.csv"
 said=$(inspect "$work/clip")
 expect "times that do not rise: exit status" 2 $?
-expect_contains "and all of them" "2 of the capture times do not rise (line 4 repeats by 0.000 ms, line 7 goes back by 167.000 ms)" "$said"
+expect_contains "and all of them" "2 of the capture times do not rise (line 4 repeats, line 7 goes back by 167.000 ms)" "$said"
 rm "$work/clip/timestamps.csv"
 head -c 5000 recordings/klahaag/images/00005.jpg >"$work/clip/images/00005.jpg"
 said=$(inspect "$work/clip" --rate 30)
