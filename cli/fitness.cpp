@@ -86,7 +86,7 @@ class Rules {
     const auto enough = [](const TargetInspection& t) { return seconds(t.seen_for) >= kFollowUp_s; };
     if (const auto names = those([&](const auto& t) { return t.first_startable && enough(t); });
         !names.empty())
-      fit("time to recover, also beyond {:.0f} s: {}", kFollowUp_s, names);
+      fit("recovery within {:.0f} s: {}", kFollowUp_s, names);
     Duration longest{};
     for (const auto& t : found_.targets) longest = std::max(longest, t.seen_for);
     if (const auto names = those([&](const auto& t) { return t.first_startable && !enough(t); });

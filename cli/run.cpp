@@ -163,7 +163,7 @@ int run(const RunArguments& arguments, const Methods& methods) {
   GapPattern gaps = GapPattern::parse(arguments.gaps);
   Sequence sequence =
       open_sequence(recording_path(arguments.sequence),
-                                    {arguments.labels, arguments.rate_hz, {}, arguments.format, arguments.topic});
+                    {arguments.labels, arguments.rate_hz, {}, arguments.format, arguments.topic});
   check_labels(sequence, arguments);
   for (const ChosenMethod& method : chosen) asked(method, sequence.recording);
   const Schedule schedule = gaps.apply(sequence.recording.captured, sequence.recording.period, arguments.seed,
