@@ -7,6 +7,7 @@
 #include <opencv2/core/version.hpp>
 #include <set>
 
+#include "cli/recording_path.h"
 #include "cli/run_folder.h"
 #include "cli/version.h"
 #include "core/error.h"
@@ -16,12 +17,6 @@ namespace relock {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The folder of a recording: as given, or of that name among those that relock comes with.
-fs::path recording_path(const fs::path& given) {
-  const auto embedded = fs::path(RELOCK_RECORDINGS) / given;
-  return !fs::exists(given) && fs::exists(embedded) ? embedded : given;
-}
 
 Sequence opened(const PlannedSequence& planned) {
   Sequence sequence = open_sequence(recording_path(planned.path), planned.open);

@@ -24,6 +24,7 @@ struct Arguments {
   TimelineArguments timeline;
   DetectArguments detect;
   ListArguments list;
+  InspectArguments inspect;
 };
 
 template <class Text>
@@ -91,6 +92,18 @@ void add_list(CLI::App& app, ListArguments& a) {
   verb.add_flag("--json", a.json, "print them as JSON");
 }
 
+void add_inspect(CLI::App& app, InspectArguments& a) {
+  CLI::App& verb = *app.add_subcommand(
+      "inspect", "Tell what a recording is and what it is fit for: gaps, labels, steps, blur");
+  verb.add_option("recording", a.path, "the recording, or the name of one that relock comes with")->required();
+  verb.add_option("--labels", a.labels, "its labels; else labels.csv in the recording's folder");
+  verb.add_option("--rate", a.rate_hz, "nominal rate, Hz; also makes the times of a recording that has none");
+  verb.add_option("--format", a.format, "how it is kept on disk; else recognised");
+  verb.add_option("--topic", a.topic, "ROS bags: of the pictures; else the only one that has any");
+  verb.add_flag("--no-pictures", a.no_pictures, "do not read the pictures: nothing is said of blur");
+  verb.add_flag("--json", a.json, "print everything as JSON, frame by frame");
+}
+
 /// CLI11 names a verb it does not know, but not the one that was meant.
 void check_verb(int argc, char** argv, const CLI::App& app) {
   if (argc < 2 || argv[1][0] == '-') return;
@@ -107,6 +120,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& met
   if (app.got_subcommand("score")) return score(arguments.score);
   if (app.got_subcommand("timeline")) return timeline(arguments.timeline);
   if (app.got_subcommand("detect")) return detect(arguments.detect, methods);
+  if (app.got_subcommand("inspect")) return inspect(arguments.inspect);
   return list(arguments.list, methods);
 }
 
@@ -137,6 +151,7 @@ int run_program(int argc, char** argv, const Methods& methods) {
   add_timeline(app, arguments.timeline);
   add_detect(app, arguments.detect);
   add_list(app, arguments.list);
+  add_inspect(app, arguments.inspect);
   try {
     check_verb(argc, argv, app);
     app.parse(argc, argv);

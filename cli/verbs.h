@@ -63,4 +63,15 @@ struct ListArguments {
 };
 int list(const ListArguments& arguments, const Methods& methods);
 
+struct InspectArguments {
+  std::filesystem::path path;
+  std::optional<std::filesystem::path> labels;
+  std::optional<double> rate_hz;
+  std::optional<std::string> format;  ///< else recognised
+  std::optional<std::string> topic;   ///< ROS bags
+  bool no_pictures = false;
+  bool json = false;
+};
+int inspect(const InspectArguments& arguments);
+
 }  // namespace relock
