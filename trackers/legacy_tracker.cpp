@@ -63,12 +63,12 @@ class LegacyFollower : public Follower {
  public:
   explicit LegacyFollower(LibraryTracker library) : library_(std::move(library)) {}
 
-  void start(const Image& picture, const Box& box) override { start_at(picture, rect2d_of(box)); }
+  void start(const Image& picture, const Box& box) override { start_at(picture, sub_pixel_rect(box)); }
 
   std::optional<Sighting> follow(const Image& picture) override {
     cv::Rect2d rect;
     if (!library_->update(bgr_copy(picture, bgr_), rect)) return std::nullopt;
-    return sighting_of(box_of(rect));
+    return sighting_of(sub_pixel_box(rect));
   }
 
  protected:

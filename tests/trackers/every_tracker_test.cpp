@@ -24,11 +24,16 @@ const Registry<TrackerEntry>& registry() {
   return all;
 }
 
+/// Those that can be tried here; a network without its files, or what a library lacks, cannot.
+std::vector<TrackerEntry> ready() {
+  std::vector<TrackerEntry> all;
+  for (const TrackerEntry& entry : registry().entries())
+    if (entry.needs.empty()) all.push_back(entry);
+  return all;
+}
+
 class EveryTracker : public testing::TestWithParam<TrackerEntry> {
  protected:
-  void SetUp() override {
-    if (!GetParam().needs.empty()) GTEST_SKIP() << "needs " << GetParam().needs;
-  }
   static std::unique_ptr<Tracker> make() {
     const TrackerEntry& entry = GetParam();
     auto given = std::map<std::string, std::string>{};
@@ -161,7 +166,7 @@ TEST(BuiltinTrackers, HaveASentenceForThemselvesAndForEveryOption) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Trackers, EveryTracker, testing::ValuesIn(registry().entries()),
+INSTANTIATE_TEST_SUITE_P(Trackers, EveryTracker, testing::ValuesIn(ready()),
                          [](const auto& instance) { return instance.param.name; });
 
 }  // namespace
