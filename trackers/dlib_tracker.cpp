@@ -54,24 +54,26 @@ class DlibFollower final : public Follower {
                  static_cast<unsigned long>(options.num_scale_levels)) {}
 
   void start(const Image& picture, const Box& box) override {
-    said_ = box;
+    said_ = search_from_ = box;
     library_.start_track(gray_copy(picture), rectangle_of(box));
   }
 
   std::optional<Sighting> follow(const Image& picture) override {
-    const Box last = box_of(library_.get_position());
-    const double psr =
-        library_.update(gray_copy(picture), rectangle_of(sound(last, picture.size()) ? last : said_));
+    const double psr = library_.update(gray_copy(picture), rectangle_of(search_from_));
     const Box box = box_of(library_.get_position());
-    // Not a number in a picture without contrast.
-    if (!(psr >= threshold_) || !sound(box, picture.size())) return std::nullopt;
+    // The ratio is not a number in a picture without contrast.
+    const bool usable = psr >= threshold_ / 2 && sound(box, picture.size());
+    search_from_ = usable ? box : said_;
+    if (!usable || psr < threshold_) return std::nullopt;
     said_ = box;
     Sighting sighting = sighting_of(box);
-    sighting.confidence = std::isfinite(psr) ? psr / (psr + 7) : 1;
+    sighting.confidence = psr < kHuge ? psr / (psr + 7) : 1;
     return sighting;
   }
 
  private:
+  static constexpr double kHuge = 1e6;
+
   /// Whether to search from `box`: dlib shrinks it by a quarter in every black frame.
   bool sound(const Box& box, Size picture) const {
     if (!well_formed(box) || share_inside(box, picture_box(picture)) < 0.25) return false;
@@ -89,9 +91,10 @@ class DlibFollower final : public Follower {
 
   double threshold_;
   dlib::correlation_tracker library_;
-  dlib::array2d<unsigned char> pixels_;
+  dlib::array2d<unsigned char> pixels_;  // dlib reads only pictures of its own kind
   cv::Mat gray_;
-  Box said_;  // the last box that was held
+  Box said_;         // the last box that was held
+  Box search_from_;  // in the next frame
 };
 
 }  // namespace

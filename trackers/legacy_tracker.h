@@ -9,7 +9,8 @@
 namespace relock {
 
 // The trackers that OpenCV keeps in cv::legacy, part of its contributed modules. They have the promises of
-// trackers/checked_tracker.h. The box goes in and comes back with its parts of a pixel, except for boosting.
+// trackers/checked_tracker.h. The box goes in and comes back with its parts of a pixel, except for boosting and
+// for mosse, which rounds its middle and makes it a little larger.
 
 /// Forward-backward optical flow on a grid of points (Kalal et al. 2010). The box scales. It says lost when
 /// the points disagree, and is taken in by the background once the target has left the picture.
@@ -39,8 +40,9 @@ BoostingOptions boosting_options(const Options& given);
 /// Whether relock was built with cv::legacy; if not, the functions below throw Error.
 bool has_legacy_trackers();
 
-/// Minimum output sum of squared error filter (Bolme et al. 2010). The box keeps its size. After saying lost it
-/// goes on looking around the last place.
+/// Minimum output sum of squared error filter (Bolme et al. 2010). The box keeps its size: the start box's sides,
+/// made larger to the next product of twos, threes and fives. After saying lost it goes on looking around the
+/// last place.
 std::unique_ptr<Tracker> mosse_tracker();
 std::unique_ptr<Tracker> medianflow_tracker(const MedianFlowOptions& options);
 /// Tracking, learning, detection (Kalal et al. 2012): median flow with a detector that is learnt on the way and

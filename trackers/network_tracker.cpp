@@ -33,7 +33,7 @@ void check_file(const char* tracker, const File& file) {
   const auto refuse = [&](const std::string& why) {
     throw Error(fmt::format("{}: option {} {}; {}", tracker, file.option, why, file.published));
   };
-  if (file.path.empty()) refuse("is not given, which is a file of the network");
+  if (file.path.empty()) refuse("is not given, and relock brings no networks");
   std::error_code fault;
   const auto status = std::filesystem::status(file.path, fault);
   if (!std::filesystem::exists(status)) refuse(fmt::format("is {}, which does not exist", file.path));
@@ -44,7 +44,8 @@ void check_file(const char* tracker, const File& file) {
 
 std::string joined(const std::vector<File>& files) {
   std::string all;
-  for (const File& file : files) all += (all.empty() ? "" : " or ") + file.path;
+  for (const File& file : files)
+    if (all.find(file.path) == std::string::npos) all += (all.empty() ? "" : " or ") + file.path;
   return all;
 }
 
