@@ -39,10 +39,10 @@ DlibOptions dlib_options(const Options& given) {
 #ifdef RELOCK_DLIB
 namespace {
 
-// dlib aborts the program at the second fault that it throws, caught or not: nothing may reach it that it could
-// refuse. Its rectangles' edges are where ours are when they are not rounded: its (left + right) / 2 is the
-// centre in coordinates with pixel centres at integers. (Rectangles of whole pixels end at the last pixel's
-// centre instead; that would only make the box a pixel smaller.)
+// dlib aborts the program at the second fault that it throws, caught or not: nothing may reach it that it
+// could refuse. Its rectangles' edges are where ours are when they are not rounded: its (left + right) / 2 is
+// the centre in coordinates with pixel centres at integers. (Rectangles of whole pixels end at the last
+// pixel's centre instead; that would only make the box a pixel smaller.)
 dlib::drectangle rectangle_of(const Box& box) { return {box.x, box.y, box.right(), box.bottom()}; }
 Box box_of(const dlib::drectangle& r) { return {r.left(), r.top(), r.width(), r.height()}; }
 

@@ -19,6 +19,7 @@ namespace {
 constexpr double kLeastShareInside = 0.25;           // of the box, to be called seen
 constexpr double kLeastScale = 0.5, kMostScale = 2;  // from one frame to the next: more is no motion
 constexpr double kLeastSidePx = 4;
+constexpr double kInnerPart = 0.7;  // of the box's sides, where corners are looked for
 
 Vec2 middle(const Box& box) { return {box.x + box.width / 2, box.y + box.height / 2}; }
 
@@ -129,7 +130,8 @@ class FlowFollower final : public Follower {
   }
 
   void find_more_corners(const cv::Mat& gray) {
-    const cv::Rect place = whole_pixels(intersect(box_, picture_box(size_)), size_);
+    const cv::Rect place =
+        whole_pixels(intersect(moved(box_, middle(box_), kInnerPart), picture_box(size_)), size_);
     if (place.width < 3 || place.height < 3) return;
     const double apart = std::max(2.0, std::sqrt(box_.area() / options_.features) / 2);
     cv::goodFeaturesToTrack(gray(place), fresh_, options_.features, 0.01, apart);

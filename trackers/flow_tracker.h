@@ -13,7 +13,7 @@ struct FlowOptions {
   int window_px = 21;       ///< side of the window that is compared around each
   int levels = 3;           ///< halvings of the picture, for fast motion
   double return_px = 1;     ///< how far from its start a corner may come back when it is followed backwards
-  double agreement_px = 2;  ///< how far from the common motion a corner may be to agree with it
+  double agreement_px = 1;  ///< how far from the common motion a corner may be to agree with it
   int least_inliers = 8;    ///< corners that must agree, or the target is called lost
 };
 std::vector<OptionInfo> flow_option_list();
@@ -25,13 +25,13 @@ FlowOptions flow_options(const Options& given);
 ///
 /// It says an upright box around the moved centre, scaled, but not turned: labels and scores are of upright
 /// boxes, and the upright box around a turned one is too large after every small error of the angle. New
-/// corners are looked for in the box when many were lost.
+/// corners are looked for when many were lost, in the inner 0.7 of the box's sides: its rim shows background.
 ///
 /// It says lost when too few corners agree or most of the box has left the picture. After that it compares
 /// each new frame with the last one in which it held the target, and so takes up again if the target is back
-/// within reach of where it was; it does not search. `expect` is honoured: the next frame's search starts from
-/// the prior's centre and size. How sure the prior is makes no difference.
-/// Confidence is the share of the corners that agree.
+/// within reach of where it was; it does not search. `expect` is honoured: the next frame's search starts
+/// from the prior's centre and size. How sure the prior is makes no difference. Confidence is the share of
+/// the corners that agree.
 std::unique_ptr<Tracker> flow_tracker(const FlowOptions& options);
 
 }  // namespace relock

@@ -9,12 +9,12 @@
 
 namespace relock {
 
-// OpenCV's trackers that are neural networks, with the promises of trackers/checked_tracker.h. relock brings no
-// networks: their files are named by options. All of them work on whole pixels, and scale the box.
+// OpenCV's trackers that are neural networks, with the promises of trackers/checked_tracker.h. relock brings
+// no networks: their files are named by options. All of them work on whole pixels, and scale the box.
 //
-// The files are loaded when a tracker is made, that is, once for each start: OpenCV's trackers below 4.11 load
-// them themselves and share nothing. Making one throws Error when a file is missing, is no network, or when
-// the OpenCV that relock was built with has no such tracker.
+// The files are loaded when a tracker is made, that is, once for each start: OpenCV's trackers below 4.11
+// load them themselves and share nothing. Making one throws Error when a file is missing, is no network, or
+// when the OpenCV that relock was built with has no such tracker.
 
 /// Regression network (Held et al. 2016). Never calls the target lost.
 struct GoturnOptions {

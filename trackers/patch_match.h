@@ -7,8 +7,8 @@
 
 namespace relock {
 
-/// Pixels that are searched for, and the buffer for it. A patch without contrast is never found: it looks like
-/// everything.
+/// Pixels that are searched for, and the buffer for it. A patch without contrast is never found: it looks
+/// like everything.
 class PatchMatcher {
  public:
   struct Match {

@@ -50,7 +50,8 @@ class TemplateFollower final : public Follower {
     return {rect.x - by, rect.y - by, rect.width + 2 * by, rect.height + 2 * by};
   }
 
-  /// Where the patch is searched for pixel by pixel: everywhere, or around the best place of the small picture.
+  /// Where the patch is searched for pixel by pixel: everywhere, or around the best place of the small
+  /// picture.
   cv::Rect window(const cv::Mat& gray) {
     const cv::Rect everywhere({}, gray.size());
     if (!coarse_.usable()) return everywhere;

@@ -39,8 +39,8 @@ class StillTracker final : public Tracker {
   StartBox box_;
 };
 
-/// The pixels that a patch covers when it is moved by up to `reach` px in x and y from where its top left pixel
-/// is `expected`. That may be huge or far away: clipped while still double.
+/// The pixels that a patch covers when it is moved by up to `reach` px in x and y from where its top left
+/// pixel is `expected`. That may be huge or far away: clipped while still double.
 cv::Rect window_around(Vec2 expected, cv::Size patch, int reach, cv::Size picture) {
   const double left = std::max(0.0, std::round(expected.x) - reach),
                top = std::max(0.0, std::round(expected.y) - reach);
