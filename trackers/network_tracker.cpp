@@ -26,7 +26,8 @@ struct File {
 
 constexpr const char* kZoo = "the OpenCV model zoo publishes it";
 constexpr const char* kExtra = "OpenCV's collection of test data, opencv_extra, says where it is published";
-constexpr const char* kSamples = "OpenCV's sample for its trackers says where it is published";
+[[maybe_unused]] constexpr const char* kSamples =
+    "OpenCV's sample for its trackers says where it is published";
 
 /// OpenCV's own messages say neither which option is meant nor what to do.
 void check_file(const char* tracker, const File& file) {
