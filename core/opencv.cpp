@@ -50,4 +50,8 @@ Box box_of(const cv::Rect& rect) {
   return {rect.x - 0.5, rect.y - 0.5, static_cast<double>(rect.width), static_cast<double>(rect.height)};
 }
 
+cv::Rect2d sub_pixel_rect(const Box& box) { return {box.x + 0.5, box.y + 0.5, box.width, box.height}; }
+
+Box sub_pixel_box(const cv::Rect2d& rect) { return {rect.x - 0.5, rect.y - 0.5, rect.width, rect.height}; }
+
 }  // namespace relock

@@ -22,5 +22,8 @@ const cv::Mat& bgr_copy(const Image& image, cv::Mat& buffer);
 /// The integer rectangle nearest to the box.
 cv::Rect rounded_rect(const Box& box);
 Box box_of(const cv::Rect& rect);
+/// The same box without rounding: the pixels 10 to 29 are the rectangle {10, …, 20, …} and x 9.5 to 29.5.
+cv::Rect2d sub_pixel_rect(const Box& box);
+Box sub_pixel_box(const cv::Rect2d& rect);
 
 }  // namespace relock
