@@ -37,6 +37,9 @@ StageReport read_report(const std::vector<std::string>& messages) {
       case 'p':
         report.note = text;
         break;
+      case 'n':
+        report.not_asked = text;
+        break;
       default:
         report.reason = text;
     }

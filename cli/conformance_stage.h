@@ -29,6 +29,7 @@ class Stage {
   void at(std::string place);
   void answered(const std::string& answer) { tell_("s" + answer); }
   void passed(const std::string& note) { tell_("p" + note); }
+  void not_asked(const std::string& why) { tell_("n" + why); }
   void broken(const std::string& reason) { tell_("b" + reason); }
 
   /// The check fails here, for this reason.
@@ -73,10 +74,11 @@ class Stage {
 
 /// What a Stage told, taken apart again.
 struct StageReport {
-  std::string place;                  ///< the last one
-  std::vector<std::string> answers;   ///< with the places where they were given
-  std::optional<std::string> note;    ///< of a check that passed
-  std::optional<std::string> reason;  ///< of one that failed
+  std::string place;                     ///< the last one
+  std::vector<std::string> answers;      ///< with the places where they were given
+  std::optional<std::string> note;       ///< of a check that passed
+  std::optional<std::string> reason;     ///< of one that failed
+  std::optional<std::string> not_asked;  ///< why it was not made
 };
 StageReport read_report(const std::vector<std::string>& messages);
 

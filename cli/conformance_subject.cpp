@@ -37,17 +37,6 @@ class DetectorSession final : public Session {
   std::unique_ptr<Detector> detector_;
 };
 
-/// The print of a code of this family, as far as relock knows it.
-std::optional<MarkerCells> print_of(const std::string& family) {
-  constexpr int kSome = 7;
-  try {
-    if (family.starts_with("aruco")) return aruco_cells(family.substr(5), kSome);
-    if (family.starts_with("apriltag")) return apriltag_cells(family.substr(5), kSome);
-  } catch (const Error&) {  // another one's family that is called alike
-  }
-  return {};
-}
-
 Look look_for(const Subject& subject) {
   if (subject.family)
     if (const auto print = print_of(*subject.family)) return printed(*print);
@@ -81,6 +70,16 @@ std::optional<std::string> complaint_about(const Sighting& s, Size picture) {
 }
 
 }  // namespace
+
+std::optional<MarkerCells> print_of(const std::string& family) {
+  constexpr int kSome = 7;
+  try {
+    if (family.starts_with("aruco")) return aruco_cells(family.substr(5), kSome);
+    if (family.starts_with("apriltag")) return apriltag_cells(family.substr(5), kSome);
+  } catch (const Error&) {  // another one's family that is called alike
+  }
+  return {};
+}
 
 Subject subject_called(const Methods& methods, const MethodSpec& spec) {
   Subject subject;

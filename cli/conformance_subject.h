@@ -28,6 +28,9 @@ struct Subject {
   bool deterministic() const { return !tracker || tracker->deterministic; }
 };
 
+/// The print of some code of this family; nothing when relock does not know such codes.
+std::optional<MarkerCells> print_of(const std::string& family);
+
 /// Throws Error for an unknown name or option, and for mute and oracle, which are no methods. Values are
 /// checked later: the method's own code runs in child processes only.
 Subject subject_called(const Methods& methods, const MethodSpec& spec);

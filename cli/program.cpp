@@ -24,6 +24,7 @@ struct Arguments {
   TimelineArguments timeline;
   DetectArguments detect;
   ListArguments list;
+  CheckArguments check;
 };
 
 template <class Text>
@@ -86,6 +87,19 @@ void add_list(CLI::App& app, ListArguments& a) {
   verb.add_flag("--json", a.json, "print them as JSON");
 }
 
+void add_check(CLI::App& app, CheckArguments& a) {
+  CLI::App& verb =
+      *app.add_subcommand("check", "Check that methods keep what trackers and detectors promise");
+  verb.add_option("methods", a.methods, "names, separated by commas");
+  verb.add_flag("--all", a.all, "every tracker and detector");
+  verb.add_option("--check", a.only, "make only this check");
+  verb.add_option("--frames", a.frames, "shown by the check memory")->capture_default_str();
+  verb.add_option("--budget", a.budget_s, "most time that the check memory takes, s")->capture_default_str();
+  verb.add_option("--silence", a.silence_s, "longest time that one answer may take, s")
+      ->capture_default_str();
+  verb.add_flag("--json", a.json, "print the results as JSON");
+}
+
 /// CLI11 names a verb it does not know, but not the one that was meant.
 void check_verb(int argc, char** argv, const CLI::App& app) {
   if (argc < 2 || argv[1][0] == '-') return;
@@ -102,6 +116,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& met
   if (app.got_subcommand("score")) return score(arguments.score);
   if (app.got_subcommand("timeline")) return timeline(arguments.timeline);
   if (app.got_subcommand("detect")) return detect(arguments.detect, methods);
+  if (app.got_subcommand("check")) return check(arguments.check, methods);
   return list(arguments.list, methods);
 }
 
@@ -132,6 +147,7 @@ int run_program(int argc, char** argv, const Methods& methods) {
   add_timeline(app, arguments.timeline);
   add_detect(app, arguments.detect);
   add_list(app, arguments.list);
+  add_check(app, arguments.check);
   try {
     check_verb(argc, argv, app);
     app.parse(argc, argv);

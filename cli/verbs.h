@@ -57,4 +57,15 @@ struct ListArguments {
 };
 int list(const ListArguments& arguments, const Methods& methods);
 
+struct CheckArguments {
+  std::string methods;  ///< separated by commas; empty with `all`
+  bool all = false;
+  std::optional<std::string> only;  ///< one check
+  int frames = 10'000;
+  double budget_s = 60;
+  double silence_s = 30;
+  bool json = false;
+};
+int check(const CheckArguments& arguments, const Methods& methods);
+
 }  // namespace relock
