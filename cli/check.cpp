@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <opencv2/core/utility.hpp>
 
 #include "cli/catalogue.h"
 #include "cli/conformance.h"
@@ -68,6 +69,7 @@ void print_json(const std::vector<Conformance>& all) {
 
 int check(const CheckArguments& arguments, const Methods& methods) {
   const ConformanceOptions options = options_of(arguments);
+  cv::setNumThreads(1);  // as a run does
   std::vector<Conformance> all;
   for (const MethodSpec& spec : wanted(arguments, methods)) {
     all.push_back(check_method(methods, spec, options, [&](const Conformance& so_far) {

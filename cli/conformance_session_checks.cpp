@@ -33,7 +33,7 @@ void disturb_the_process() {
 
 Note repeats(const Subject& subject, const MemoryLimits&, Stage& stage) {
   only_if_deterministic(subject);
-  if (stage.again) disturb_the_process();
+  if (stage.is_second()) disturb_the_process();
   const Stand stand = usual_stand(subject);
   const Film film = moving(stand.scene, stand.start, {3, 1}, 8);
   const auto one = stage.call([&] { return session(subject, kSeed); });

@@ -22,8 +22,10 @@ class Broken : public std::runtime_error {
 /// answers, which two processes are compared by; and how it ends.
 class Stage {
  public:
-  /// `again`: this is the second process of a check that takes two.
-  explicit Stage(const Tell& tell, bool again = false) : again(again), tell_(tell) {}
+  /// `second`: this is the second process of a check that takes two.
+  explicit Stage(const Tell& tell, bool second = false) : tell_(tell), second_(second) {}
+
+  bool is_second() const { return second_; }
 
   /// What is done now: "frame 3 (the target leaves the picture)".
   void at(std::string place);
@@ -62,13 +64,12 @@ class Stage {
     }
   }
 
-  const bool again;
-
  private:
   /// Of the exception that is being handled.
   static std::string what_was_thrown();
 
   const Tell& tell_;
+  bool second_;
   std::string place_;
 };
 

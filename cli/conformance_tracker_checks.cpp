@@ -15,6 +15,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
 struct NamedBox {
   std::string name;
   Box box;
+  bool may_be_refused = false;
 };
 
 std::string text_of_box(const NamedBox& named) {
@@ -33,7 +34,7 @@ std::vector<NamedBox> legal_boxes() {
           {"a box nearly half outside, at the left", {-15.5, 39.5, 32, 28}},
           {"a box nearly half outside, at a corner", {135.5, 97.5, 32, 28}},
           {"a box between the pixels", {40.3, 30.7, 31.4, 27.6}},
-          {"a box of nearly the whole picture", {0.5, 0.5, 158, 118}}};
+          {"a box of nearly the whole picture", {0.5, 0.5, 158, 118}, true}};
 }
 
 std::vector<NamedBox> boxes_that_are_none() {
@@ -59,19 +60,26 @@ void must_refuse(const Stage& stage, const std::function<void()>& call) {
 }
 
 Note starts(const Subject& subject, const MemoryLimits&, Stage& stage) {
+  Note note;
   const Stand stand = usual_stand(subject);
   const Film film = moving(stand.scene, stand.start, {0, 0}, 2);
   for (const NamedBox& legal : legal_boxes()) {
     stage.at("start on " + text_of_box(legal));
     const auto tracker = made(subject, stage);
-    stage.call([&] { tracker->start(film.shots[0].frame(), legal.box); });
+    const auto start = [&] { tracker->start(film.shots[0].frame(), legal.box); };
+    if (!legal.may_be_refused) {
+      stage.call(start);
+    } else if (stage.refused(start)) {
+      note = "it does not start on " + legal.name;
+      continue;
+    }
     for (std::size_t i = 1; i < film.shots.size(); ++i) {
       stage.at(fmt::format("frame {} after the start on {}", i, text_of_box(legal)));
       check_answer(stage.call([&] { return tracker->track(film.shots[i].frame()); }), stand.scene.size(),
                    stage);
     }
   }
-  return {};
+  return note;
 }
 
 Note follows(const Subject& subject, const MemoryLimits&, Stage& stage) {
