@@ -161,7 +161,7 @@ Use least(const Use& a, const Use& b) {
 
 Note memory(const Subject& subject, const MemoryLimits& limits, Stage& stage) {
   constexpr double kMostResident = 4e6, kMostAllocated = 256e3;
-  constexpr int kWindow = 8;
+  constexpr int kWindow = 8, kWarmFrames = 200;
   using Clock = std::chrono::steady_clock;
   const Stand stand = small_stand(subject);
   const Film film = moving(stand.scene, stand.start, {0, 0}, 1);
@@ -186,7 +186,8 @@ Note memory(const Subject& subject, const MemoryLimits& limits, Stage& stage) {
       use = least(use, uses[static_cast<std::size_t>(i)]);
     return use;
   };
-  const int warm = std::max(kWindow, shown / 5);
+  // The first frames fill what is kept for good: of a short film up to a half.
+  const int warm = std::max({kWindow, shown / 5, std::min(shown / 2, kWarmFrames)});
   const Use before = around(warm), after = around(shown);
   stage.at(fmt::format("from frame {} to frame {} of a picture that stays the same", warm, shown));
   if (const double more = after.allocated - before.allocated; more > kMostAllocated)

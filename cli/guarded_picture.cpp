@@ -70,9 +70,7 @@ GuardedPicture::GuardedPicture(const Picture& picture, Guard guard, std::uint8_t
   std::uint8_t* open = memory_ + page;
   mprotect(open, room, PROT_READ | PROT_WRITE);
   std::memset(open, between, room);
-  std::uint8_t* first = guard == Guard::writing  ? open + page
-                        : guard == Guard::before ? open
-                                                 : open + room - pixels;
+  std::uint8_t* first = has_room ? open + page : guard == Guard::before ? open : open + room - pixels;
   for (std::size_t y = 0; y < rows; ++y) std::memcpy(first + y * stride, picture.bytes.data() + y * row, row);
   if (guard == Guard::writing) mprotect(open, room, PROT_READ);
   image_ = Image(first, picture.size, picture.format, stride);
