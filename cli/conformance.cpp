@@ -75,13 +75,20 @@ std::string reason_of(const StageReport& report, const ChildEnd& end) {
   return place + ": " + end.what + (said.empty() ? "" : fmt::format(", after saying \"{}\"", said));
 }
 
+/// A library's words may come in several lines.
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  return text;
+}
+
 CheckResult result_of(const Check& check, const StageReport& report, const ChildEnd& end) {
   const std::string name(check.name);
-  if (report.reason) return {name, Kind::failed, *report.reason};
+  if (report.reason) return {name, Kind::failed, one_line(*report.reason)};
   if (report.not_asked) return {name, Kind::not_asked, *report.not_asked};
   // What the method's threads or its end do after the check has passed counts too.
   if (end.kind == ChildEnd::Kind::finished && report.note) return {name, Kind::passed, *report.note};
-  return {name, Kind::failed, reason_of(report, end)};
+  return {name, Kind::failed, one_line(reason_of(report, end))};
 }
 
 void play(const Check& check, const Subject& subject, const MemoryLimits& limits, Stage& stage) {

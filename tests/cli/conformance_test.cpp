@@ -172,6 +172,14 @@ class FollowsOutOfThePicture final : public Good {
   Box last_;
 };
 
+class EatsMemory final : public Good {
+  void start(const Frame& frame, const Box& box) override {
+    if (box.width > 1e9) memory_.resize(std::size_t{8} << 30);
+    Good::start(frame, box);
+  }
+  std::vector<char> memory_;
+};
+
 class RefusesSmallBoxes final : public Good {
   void start(const Frame& frame, const Box& box) override {
     if (box.width < 11) throw Error("the box is too small");
@@ -243,6 +251,8 @@ std::vector<Case> cases() {
       bad<DiffersFromRunToRun>("DiffersFromRunToRun", {"repeats"}, "with the same seed once \"frame 1: "),
       bad<FollowsOutOfThePicture>("FollowsOutOfThePicture", {"leaves"},
                                   "outside of the picture of 160 x 120 px"),
+      bad<EatsMemory>("EatsMemory", {"refuses"},
+                      "of infinite width (x 30, y 40, inf x 28 px): ran out of memory"),
       bad<RefusesSmallBoxes>("RefusesSmallBoxes", {"starts"}, "the smallest box"),
       bad<ThrowsNoErrors>("ThrowsNoErrors", {"refuses"}, "threw \"twice\", which is no Error"),
       bad<RefusesAnotherFormat>("RefusesAnotherFormat", {"grey"}, "threw the Error \"another format\""),
