@@ -38,6 +38,7 @@ ChosenMethod choose_tracker(const TrackerEntry& entry, const MethodSpec& spec) {
   const Options options(entry.name, entry.options, spec.options);
   ChosenMethod chosen = base(spec, options);
   chosen.needs_start = true;
+  chosen.takes_boxes = true;
   chosen.deterministic = entry.deterministic;
   entry.make(options, 0);
   chosen.make = [&entry, options](const Recording&, std::uint64_t seed) {
@@ -50,6 +51,7 @@ ChosenMethod choose_tracker(const TrackerEntry& entry, const MethodSpec& spec) {
 
 ChosenMethod choose_end_of_scale(const MethodSpec& spec) {
   ChosenMethod chosen = base(spec, Options(spec.name, {}, spec.options));
+  chosen.takes_boxes = true;
   chosen.make = [name = spec.name](const Recording& recording, std::uint64_t) {
     return name == "mute" ? mute() : oracle(recording);
   };

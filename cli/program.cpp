@@ -34,26 +34,31 @@ CLI::Option* add_gate(CLI::App& verb, Text& gate, const std::string& when) {
 }
 
 void add_run(CLI::App& app, RunArguments& a) {
-  CLI::App& verb = *app.add_subcommand("run", "Show a recording to methods and write down what they say");
-  verb.add_option(
-          "--sequence", a.sequence,
-          "the recording: a folder of pictures, or one that relock comes with (klahaag, klahaag-prints)")
-      ->capture_default_str();
+  CLI::App& verb = *app.add_subcommand("run", "Show recordings to methods and write down what they say");
+  verb.add_option("plan", a.plan, "a plan file (TOML): sequences x gaps x methods x protocols x seeds");
+  verb.add_option("--sequence", a.sequence,
+                  "the recording: a path, or one that relock comes with: klahaag (if none is given), "
+                  "klahaag-prints");
   verb.add_option("--labels", a.labels, "its labels; else labels.csv in the recording's folder");
   verb.add_option("--rate", a.rate_hz, "nominal rate, Hz; also makes the times of a recording that has none");
   verb.add_option("--format", a.format, "how it is kept on disk; else recognised");
   verb.add_option("--topic", a.topic, "ROS bags: of the pictures; else the only one that has any");
-  verb.add_option("--methods", a.methods, "names, separated by commas: kcf,aruco,csrt(psr_threshold=0.05)")
-      ->required();
-  verb.add_option("--protocol", a.protocol, "once, reset (start again after a loss) or detect (no start)")
-      ->capture_default_str();
+  verb.add_option("--methods", a.methods, "names, separated by commas: kcf,aruco,csrt(psr_threshold=0.05)");
+  verb.add_option("--protocol", a.protocol,
+                  "once (if none is given), reset (start again after a loss) or detect (no start)");
   verb.add_option("--gaps", a.gaps,
                   "frames lost on the way: none, paper, paper-6s, bernoulli(p), gilbert-elliott(p,r), "
-                  "periodic(n,k), trace(file) or fps(n)")
+                  "periodic(n,k), trace(file) or fps(n)");
+  verb.add_option("--seed", a.seed, "of everything drawn at random; else 1");
+  add_gate(verb, a.gate, "protocol reset: when an answer is a Hit");
+  verb.add_option("--out", a.out, "folder for the results; else results");
+  verb.add_option("--jobs,-j", a.jobs,
+                  "runs at a time; the results are the same for any number, their timing is not")
       ->capture_default_str();
-  verb.add_option("--seed", a.seed, "of everything drawn at random")->capture_default_str();
-  add_gate(verb, a.gate, "protocol reset: when an answer is a Hit")->capture_default_str();
-  verb.add_option("--out", a.out, "folder for the results")->capture_default_str();
+  verb.add_option("--frame-limit", a.frame_limit_s,
+                  "seconds that a method may take for one frame before it counts as hung; else 60");
+  verb.add_option("--memory-limit", a.memory_limit_mb, "MB that a run may allocate; else 4096");
+  verb.add_flag("--dry-run", a.dry_run, "list what would be run, and estimate how long it takes");
 }
 
 void add_score(CLI::App& app, ScoreArguments& a) {
