@@ -25,6 +25,7 @@ struct Arguments {
   DetectArguments detect;
   ListArguments list;
   InspectArguments inspect;
+  CheckArguments check;
 };
 
 template <class Text>
@@ -104,6 +105,19 @@ void add_inspect(CLI::App& app, InspectArguments& a) {
   verb.add_flag("--json", a.json, "print everything as JSON, frame by frame");
 }
 
+void add_check(CLI::App& app, CheckArguments& a) {
+  CLI::App& verb =
+      *app.add_subcommand("check", "Check that methods keep what trackers and detectors promise");
+  verb.add_option("methods", a.methods, "names, separated by commas");
+  verb.add_flag("--all", a.all, "every tracker and detector");
+  verb.add_option("--check", a.only, "make only this check");
+  verb.add_option("--frames", a.frames, "shown by the check memory")->capture_default_str();
+  verb.add_option("--budget", a.budget_s, "most time that the check memory takes, s")->capture_default_str();
+  verb.add_option("--silence", a.silence_s, "longest time that one answer may take, s")
+      ->capture_default_str();
+  verb.add_flag("--json", a.json, "print the results as JSON");
+}
+
 /// CLI11 names a verb it does not know, but not the one that was meant.
 void check_verb(int argc, char** argv, const CLI::App& app) {
   if (argc < 2 || argv[1][0] == '-') return;
@@ -121,6 +135,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& met
   if (app.got_subcommand("timeline")) return timeline(arguments.timeline);
   if (app.got_subcommand("detect")) return detect(arguments.detect, methods);
   if (app.got_subcommand("inspect")) return inspect(arguments.inspect);
+  if (app.got_subcommand("check")) return check(arguments.check, methods);
   return list(arguments.list, methods);
 }
 
@@ -152,6 +167,7 @@ int run_program(int argc, char** argv, const Methods& methods) {
   add_detect(app, arguments.detect);
   add_list(app, arguments.list);
   add_inspect(app, arguments.inspect);
+  add_check(app, arguments.check);
   try {
     check_verb(argc, argv, app);
     app.parse(argc, argv);

@@ -74,4 +74,15 @@ struct InspectArguments {
 };
 int inspect(const InspectArguments& arguments);
 
+struct CheckArguments {
+  std::string methods;  ///< separated by commas; empty with `all`
+  bool all = false;
+  std::optional<std::string> only;  ///< one check
+  int frames = 10'000;
+  double budget_s = 60;
+  double silence_s = 30;
+  bool json = false;
+};
+int check(const CheckArguments& arguments, const Methods& methods);
+
 }  // namespace relock

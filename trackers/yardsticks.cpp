@@ -15,10 +15,12 @@ namespace {
 /// What both yardsticks do with their start.
 class StartBox {
  public:
-  void set(const char* name, const Box& box) {
+  void set(const char* name, const Image& picture, const Box& box) {
     if (box_) throw Error(fmt::format("{} was started already; a restart takes a new object", name));
     if (!well_formed(box))
       throw Error(fmt::format("{} needs a start box of finite numbers and sides above zero", name));
+    if (intersect(box, picture_box(picture.size())).area() <= 0)
+      throw Error(fmt::format("{} needs a start box that touches the picture", name));
     box_ = box;
   }
   const Box& get(const char* name) const {
@@ -32,8 +34,12 @@ class StartBox {
 
 class StillTracker final : public Tracker {
  public:
-  void start(const Frame&, const Box& box) override { box_.set("still", box); }
-  std::optional<Sighting> track(const Frame&) override { return sighting_of(box_.get("still")); }
+  void start(const Frame& frame, const Box& box) override { box_.set("still", frame.image, box); }
+  std::optional<Sighting> track(const Frame& frame) override {
+    const Box& box = box_.get("still");
+    if (frame.image.empty()) throw Error("still was given an empty picture");
+    return sighting_of(box);
+  }
 
  private:
   StartBox box_;
@@ -56,11 +62,11 @@ class LinearTracker final : public Tracker {
   explicit LinearTracker(const LinearOptions& options) : frames_left_(options.frames) {}
 
   void start(const Frame& frame, const Box& box) override {
-    box_.set("linear", box);
+    box_.set("linear", frame.image, box);
     started_ = frame.captured;
     picture_ = picture_box(frame.image.size());
     const Box inside = intersect(box, picture_);
-    if (frame.image.empty() || inside.width < kLeastPatchPx || inside.height < kLeastPatchPx) return;
+    if (inside.width < kLeastPatchPx || inside.height < kLeastPatchPx) return;
     const cv::Mat gray = gray_of(frame.image, gray_);
     const cv::Rect place = rounded_rect(inside) & cv::Rect({}, gray.size());
     patch_.set(gray, place);
@@ -71,6 +77,7 @@ class LinearTracker final : public Tracker {
 
   std::optional<Sighting> track(const Frame& frame) override {
     Box box = box_.get("linear");
+    if (frame.image.empty()) throw Error("linear was given an empty picture");
     const double t = seconds(frame.captured - started_);
     if (frames_left_ > 0) {
       --frames_left_;
@@ -84,7 +91,7 @@ class LinearTracker final : public Tracker {
 
  private:
   void measure(const Frame& frame, double t) {
-    if (!patch_.usable() || frame.image.empty() || t <= 0) return;
+    if (!patch_.usable() || t <= 0) return;
     const cv::Mat gray = gray_of(frame.image, gray_);
     const int reach = std::max({kLeastReachPx, patch_.patch().cols, patch_.patch().rows});
     const auto match = find(gray, patch_at_ + t * velocity_, reach);

@@ -14,6 +14,8 @@ done
 expect_contains "the detector is listed" "brightest" "$("$detector" list)"
 expect_contains "and detects" "something at" "$("$detector" detect recordings/klahaag/images/00001.jpg --method brightest)"
 expect_contains "the tracker is listed" "mine" "$("$tracker" list)"
+expect_contains "the detector keeps its promises" "17 passed, 0 failed" "$("$detector" check brightest --budget 3)"
+expect_contains "so does the tracker" "18 passed, 0 failed" "$("$tracker" check mine --budget 3)"
 "$tracker" run --sequence recordings/klahaag --methods mine,kcf --out "$work/results" >/dev/null
 expect "and runs" 0 $?
 expect_contains "beside the others" "mine" "$("$tracker" timeline "$work/results")"
