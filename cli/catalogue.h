@@ -21,6 +21,7 @@ struct ChosenMethod {
   bool needs_start = false;  ///< without a box it never answers: not for protocol detect
   bool reads_codes = false;
   bool deterministic = true;
+  std::string program;             ///< fingerprint of the plug-in it comes from; empty: built in
   std::vector<std::string> reads;  ///< families of the codes it reads; empty: asked about every target
   std::function<std::unique_ptr<Method>(const Recording&, std::uint64_t seed)> make;
 

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
+#include "cli/plugins.h"
 #include "cli/verbs.h"
 #include "cli/version.h"
 #include "core/error.h"
@@ -15,6 +16,7 @@
 namespace relock {
 namespace {
 
+constexpr int kPartly = 1;  // something that was asked for was not done, the rest was
 constexpr int kUserError = 2;
 
 /// The arguments of all verbs, filled in by CLI11.
@@ -24,6 +26,7 @@ struct Arguments {
   TimelineArguments timeline;
   DetectArguments detect;
   ListArguments list;
+  std::vector<std::filesystem::path> plugins;  // of any verb that names methods
 };
 
 template <class Text>
@@ -97,6 +100,26 @@ void check_verb(int argc, char** argv, const CLI::App& app) {
                             did_you_mean(argv[1], verbs)));
 }
 
+/// Gives --plugin to every verb that names methods.
+void add_plugin_option(CLI::App& app, std::vector<std::filesystem::path>& plugins) {
+  for (const char* name : {"run", "detect", "list"})
+    app.get_subcommand(name)
+        ->add_option("--plugin", plugins,
+                     "a shared library that brings methods, or a folder of them; repeatable")
+        ->allow_extra_args(false);
+}
+
+/// The methods that the verb can name: those of plug-ins too. Tells which plug-ins were left out.
+Methods with_plugins(const CLI::App& app, const Arguments& arguments, Methods methods, int& status) {
+  const auto verbs = app.get_subcommands();
+  if (verbs.empty() || !verbs.front()->get_option_no_throw("--plugin")) return methods;
+  for (const LeftOut& plugin : add_plugins(methods, arguments.plugins)) {
+    fmt::print(stderr, "relock: plug-in {} is left out: {}\n", plugin.file.string(), plugin.why);
+    if (plugin.asked_for) status = kPartly;
+  }
+  return methods;
+}
+
 int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& methods) {
   if (app.got_subcommand("run")) return run(arguments.run, methods);
   if (app.got_subcommand("score")) return score(arguments.score);
@@ -132,10 +155,13 @@ int run_program(int argc, char** argv, const Methods& methods) {
   add_timeline(app, arguments.timeline);
   add_detect(app, arguments.detect);
   add_list(app, arguments.list);
+  add_plugin_option(app, arguments.plugins);
   try {
     check_verb(argc, argv, app);
     app.parse(argc, argv);
-    const int status = dispatch(app, arguments, methods);
+    int status = 0;
+    const Methods all = with_plugins(app, arguments, methods, status);
+    status = std::max(status, dispatch(app, arguments, all));
     if (std::fflush(stdout) != 0) return complain("the output cannot be written; is the disk full?");
     return status;
   } catch (const CLI::Success& wanted) {  // --help, --version
