@@ -26,6 +26,7 @@ struct Arguments {
   TimelineArguments timeline;
   DetectArguments detect;
   ListArguments list;
+  NewArguments start_new;
   std::vector<std::filesystem::path> plugins;  // of any verb that names methods
 };
 
@@ -89,6 +90,13 @@ void add_list(CLI::App& app, ListArguments& a) {
   verb.add_flag("--json", a.json, "print them as JSON");
 }
 
+void add_new(CLI::App& app, NewArguments& a) {
+  CLI::App& verb = *app.add_subcommand("new", "Begin a plug-in of your own");
+  verb.add_option("kind", a.kind, "detector or tracker")->required();
+  verb.add_option("name", a.name, "its name: lower case letters, digits and _")->required();
+  verb.add_option("--in", a.in, "where its folder goes")->capture_default_str();
+}
+
 /// CLI11 names a verb it does not know, but not the one that was meant.
 void check_verb(int argc, char** argv, const CLI::App& app) {
   if (argc < 2 || argv[1][0] == '-') return;
@@ -125,6 +133,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& met
   if (app.got_subcommand("score")) return score(arguments.score);
   if (app.got_subcommand("timeline")) return timeline(arguments.timeline);
   if (app.got_subcommand("detect")) return detect(arguments.detect, methods);
+  if (app.got_subcommand("new")) return start_new(arguments.start_new, methods);
   return list(arguments.list, methods);
 }
 
@@ -155,6 +164,7 @@ int run_program(int argc, char** argv, const Methods& methods) {
   add_timeline(app, arguments.timeline);
   add_detect(app, arguments.detect);
   add_list(app, arguments.list);
+  add_new(app, arguments.start_new);
   add_plugin_option(app, arguments.plugins);
   try {
     check_verb(argc, argv, app);
