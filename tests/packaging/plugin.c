@@ -91,7 +91,8 @@ static void detect(void* object, const relock_image* image, const relock_box* wh
   answer->sighting(answer->host, &seen);
 }
 
-static void start(void* object, const relock_frame* frame, const relock_box* box, const relock_answer* answer) {
+static void start(void* object, const relock_frame* frame, const relock_box* box,
+                  const relock_answer* answer) {
   (void)frame, (void)answer;
   memcpy(object, box, sizeof *box);
 }
@@ -108,15 +109,15 @@ static const relock_option options[] = {
     {"shade", "dark", "", "what it looks for"},
 };
 static const relock_method methods[] = {
-    {RELOCK_DETECTOR, 0, METHOD, "the whole picture", options, OPTION_COUNT, NULL, reads, create, free, DETECT, NULL,
-     NULL, NULL},
+    {RELOCK_DETECTOR, 0, METHOD, "the whole picture", options, OPTION_COUNT, NULL, reads, create, free,
+     DETECT, NULL, NULL, NULL},
     {RELOCK_TRACKER, 0, SECOND, "the start box", NULL, 0, NULL, NULL, create, free, NULL, start, track, NULL},
 };
 
 #ifndef NO_ENTRY
 const relock_plugin* relock_plugin_v1(uint32_t abi) {
-  static const relock_plugin table = {ABI,  TABLE_SIZE, sizeof(relock_method), sizeof(relock_option),
-                                      NAME, NULL,       METHODS,               2};
+  static const relock_plugin table = {
+      ABI, TABLE_SIZE, sizeof(relock_method), sizeof(relock_option), NAME, NULL, METHODS, 2};
 #ifdef MISSING
   void missing_function(void);
   missing_function();

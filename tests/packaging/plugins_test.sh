@@ -43,7 +43,7 @@ expect "it is listed" 0 $?
 expect_contains "with its method and where that is from" "the whole picture (libplain.so)" "$listed"
 expect_contains "and its options" "margin=0 px" "$listed"
 expect_contains "it detects" "plain:1 at 319.50, 179.50" "$("$relock" detect "$picture" --method whole --plugin "$good")"
-run() { "$relock" run --sequence "$clip" --out "$work/out" "$@" 2>&1; }
+run() { "$relock" run --sequence "$clip" --out "${out:-$work/out}" "$@" 2>&1; }
 expect_contains "it tracks" "53 frames in" "$(run --methods stays,kcf --plugin "$good" | grep '^stays')"
 verdicts() { cut -d, -f1-9 "$work/out/klahaag/recorded-once/$1/trajectory.csv"; }
 expect "like the one built in that does the same" "$(verdicts still)" "$(verdicts stays)"
@@ -80,15 +80,22 @@ head -c 3000 "$good" >"$work/cut.so"
 left_out "half a library" "it " "$work/cut.so"
 bad "no entry" "it is no relock plug-in: it has no function relock_plugin_v1" -DNO_ENTRY -Wno-unused
 bad "a function that is nowhere" "it cannot be loaded (undefined symbol: missing_function)" -DMISSING
-bad "a library that is nowhere" "it cannot be loaded (libnowhere.so.1: cannot open" "$(
-  echo 'int nowhere;' | cc -x c -shared -fPIC -Wl,-soname,libnowhere.so.1 -o "$work/libnowhere.so" - && echo "$work/libnowhere.so"
-)" -Wl,--no-as-needed
-echo 'int other_opencv;' | cc -x c -shared -fPIC -Wl,-soname,libopencv_core.so.999 -o "$work/libopencv_core.so.999" -
+library() {  # NAME [OPTION...]: an empty library
+  echo 'int nothing;' | cc -x c -shared -fPIC -Wl,-soname,"$1" -Wl,-rpath,"$work" -Wl,--no-as-needed -o "$work/$1" - -x none "${@:2}"
+}
+needs() { echo "-Wl,-rpath,$work -Wl,--no-as-needed $work/$1"; }
+library libnowhere.so
+# shellcheck disable=SC2046  # several options
+in_c "$work/libbad.so" $(needs libnowhere.so)
+rm "$work/libnowhere.so"
+left_out "a library that is nowhere" "it cannot be loaded (libnowhere.so: cannot open" "$work/libbad.so"
+library libopencv_core.so.999
+library libmiddle.so "$work/libopencv_core.so.999"
+# shellcheck disable=SC2046
 bad "another OpenCV" "it was built against another OpenCV (libopencv_core.so.999) than this relock (libopencv_core.so." \
-  -Wl,--no-as-needed "$work/libopencv_core.so.999" -Wl,-rpath,"$work"
-echo 'int middle;' | cc -x c -shared -fPIC -o "$work/libmiddle.so" - -Wl,--no-as-needed "$work/libopencv_core.so.999" -Wl,-rpath,"$work"
-bad "another OpenCV, by way of another library" "it was built against another OpenCV (libopencv_core.so.999)" \
-  -Wl,--no-as-needed "$work/libmiddle.so" -Wl,-rpath,"$work"
+  $(needs libopencv_core.so.999)
+# shellcheck disable=SC2046
+bad "another OpenCV, by way of another library" "it was built against another OpenCV (libopencv_core.so.999)" $(needs libmiddle.so)
 
 # Code that does not behave.
 bad "a crash when it is loaded" "it does not survive being loaded: it was killed by signal 11" '-DAT_LOAD_DO=crash()'
@@ -106,7 +113,7 @@ bad "another layout" "its structs are of 8, " -DTABLE_SIZE=8
 bad "a plug-in without a name" "its name is missing (NULL)" -DNAME=NULL
 bad "a method without a name" "the name of method 1 is missing (NULL)" -DMETHOD=NULL
 bad "a name that cannot be typed" 'the name of method 1 is "a,b"; it must be of letters' '-DMETHOD="a,b"'
-bad "two methods of one name" 'two methods are called "whole"' '-DSECOND="whole"' || true
+bad "two methods of one name" 'another method is called "whole" already' '-DSECOND="whole"'
 bad "the name of one built in" 'another method is called "kcf" already' '-DMETHOD="kcf"'
 bad "no list of methods" "its methods are 2 by count, but the list is NULL" -DMETHODS=NULL -Wno-unused
 bad "an option without a name" "the name of option 1 of whole is missing (NULL)" -DOPTION=NULL
@@ -114,8 +121,11 @@ bad "an option listed twice" "whole lists option shade twice" '-DOPTION="shade"'
 bad "more options than can be" "the options of whole are 4000000000 by count" -DOPTION_COUNT=4000000000
 bad "more options than there are" "" -DOPTION_COUNT=900
 bad "a method without its function" "whole has no function detect" -DDETECT=NULL -Wno-unused
-in_c "$work/libtwin.so"
-left_out "two plug-ins with one method" 'another method is called "whole" already' "$work/libtwin.so" --plugin "$good" 2>/dev/null || true
+in_c "$work/libtwin.so" '-DSECOND="own"'
+said=$("$relock" list --plugin "$good" --plugin "$work/libtwin.so" 2>&1)
+expect_contains "two plug-ins with one method: the first one has it" \
+  "libtwin.so is left out: another method is called \"whole\" already" "$said"
+expect "and nothing of the second is there" 0 "$(grep -c '^own ' <<<"$said")"
 
 # Objects that do not behave.
 in_c "$work/libplain.so" '-DAT_CREATE=crash()'
@@ -125,7 +135,7 @@ in_c "$work/libplain.so" '-DAT_CREATE=return NULL'
 expect_contains "nothing is made" "whole makes nothing and does not say why" \
   "$("$relock" detect "$picture" --method whole --plugin "$good" 2>&1)"
 in_c "$work/libplain.so" -DPLACES=2
-expect_contains "two places for one target" "stays says of one target that it is in 2 places" "$(run --methods stays --plugin "$good")"
+expect_contains "two places for one target" "stays says of one target that it is in 2 places" "$(out=$work/two run --methods stays --plugin "$good")"
 in_cpp "$work/libthrows.so"
 expect_contains "a throw in a run is a failure of the method" "throws had enough of it" "$(run --methods throws --plugin "$work/libthrows.so")"
 expect_contains "an option out of range" 'option count is "77"; it must be a whole number from 0 to 9' \

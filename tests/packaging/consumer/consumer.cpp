@@ -15,6 +15,6 @@ int main(int, char** argv) {
   relock::add_builtin_detectors(detectors);
   relock::add_builtin_trackers(trackers);
   const auto oracle = relock::oracle(sequence.recording);
-  std::printf("%zu frames, %zu detectors, %zu trackers\n", sequence.recording.frames(), detectors.entries().size(),
-              trackers.entries().size());
+  std::printf("%zu frames, %zu detectors, %zu trackers\n", sequence.recording.frames(),
+              detectors.entries().size(), trackers.entries().size());
 }
