@@ -53,18 +53,24 @@ std::string replaced(std::string text, std::string_view from, const std::string&
   return text;
 }
 
-std::string readme(const std::string& kind, const std::string& commands) {
-  std::string indented;
-  for (std::size_t at = 0; at < commands.size();) {
-    const std::size_t end = std::min(commands.find('\n', at), commands.size());
-    indented += "    " + commands.substr(at, end - at) + "\n";
+std::string indented(std::string_view lines) {
+  std::string text;
+  for (std::size_t at = 0; at < lines.size();) {
+    const std::size_t end = std::min(lines.find('\n', at), lines.size());
+    text += fmt::format("    {}\n", lines.substr(at, end - at));
     at = end + 1;
   }
+  return text;
+}
+
+std::string readme(const NewArguments& arguments, std::string_view commands) {
   return fmt::format(
-      "A {} for relock. Build it, look whether it keeps what a {} promises, and run it:\n\n{}\n"
-      "`ctest --test-dir build` does the last two as tests. Copied to ~/.local/share/relock/plugins,\n"
-      "it is there without --plugin.\n",
-      kind, kind, indented);
+      "# {0}\n\nA {1} for relock. Build it, see whether it is there and keeps what a {1} promises, and run "
+      "it:\n\n"
+      "{2}\n`ctest --test-dir build` does the last two as tests. Copied to ~/.local/share/relock/plugins, it "
+      "is\n"
+      "there without --plugin.\n",
+      arguments.name, arguments.kind, indented(commands));
 }
 
 }  // namespace
@@ -88,9 +94,10 @@ int start_new(const NewArguments& arguments, const Methods& methods) {
   if (fault) throw Error(fmt::format("{} cannot be made ({})", folder.string(), fault.message()));
   write_file(folder / (arguments.name + ".cpp"), own(t.source));
   write_file(folder / "CMakeLists.txt", own(t.cmake));
-  write_file(folder / "README.md", "# " + arguments.name + "\n\n" + readme(arguments.kind, own(t.commands)));
+  const std::string commands = own(t.commands);
+  write_file(folder / "README.md", readme(arguments, commands));
   fmt::print("{} is a {} that works; make it yours:\n\n    cd {}\n{}", folder.string(), arguments.kind,
-             folder.string(), replaced("    " + own(t.commands), "\n", "\n    ").substr(0) + "\n");
+             folder.string(), indented(commands));
   return 0;
 }
 

@@ -110,11 +110,13 @@ void check_verb(int argc, char** argv, const CLI::App& app) {
 
 /// Gives --plugin to every verb that names methods.
 void add_plugin_option(CLI::App& app, std::vector<std::filesystem::path>& plugins) {
-  for (const char* name : {"run", "detect", "list"})
-    app.get_subcommand(name)
-        ->add_option("--plugin", plugins,
+  const std::vector<std::string> naming{"run", "detect", "list", "check"};
+  for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (std::find(naming.begin(), naming.end(), verb->get_name()) == naming.end()) continue;
+    verb->add_option("--plugin", plugins,
                      "a shared library that brings methods, or a folder of them; repeatable")
         ->allow_extra_args(false);
+  }
 }
 
 /// The methods that the verb can name: those of plug-ins too. Tells which plug-ins were left out.

@@ -12,4 +12,6 @@ expect "it builds" 0 $?
 [[ -x $work/consumer ]] || cat "$work.log"
 rm -f "$work.log"
 expect_contains "it works" "53 frames, " "$("$work/consumer" "$stage/share/relock/recordings/klahaag")"
+expect_contains "a relock of its own has its own method" "something at 319.50, 179.50" \
+  "$("$work/own_relock" detect "$stage/share/relock/recordings/klahaag/images/00001.jpg" --method everything)"
 finish
