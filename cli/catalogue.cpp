@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <type_traits>
 
+#include "cli/child.h"
 #include "core/compose.h"
 #include "core/error.h"
 #include "core/random.h"
@@ -22,12 +25,30 @@ ChosenMethod base(const MethodSpec& spec, const Options& options) {
   return chosen;
 }
 
+/// Has a method made with these options, so that one out of range is told now and not after an hour. The code
+/// of a plug-in may do anything: it is tried in a child.
+template <class Entry>
+void try_options(const Entry& entry, const Options& options) {
+  const auto make = [&](const Tell&) {
+    if constexpr (std::is_same_v<Entry, DetectorEntry>) entry.reads(options);
+    entry.make(options, 0);
+  };
+  if (!entry.plugin) return make({});
+  constexpr std::chrono::seconds kPatience{60};
+  const auto end = run_in_child(make, {.silence = kPatience}).end;
+  if (end.kind == ChildEnd::Kind::threw) throw Error(end.what);
+  if (end.kind != ChildEnd::Kind::finished)
+    throw Error(
+        fmt::format("{} of plug-in {} cannot be made: it {}", entry.name, entry.plugin->name, end.what));
+}
+
 ChosenMethod choose_detector(const DetectorEntry& entry, const MethodSpec& spec) {
   const Options options(entry.name, entry.options, spec.options);
+  try_options(entry, options);
   ChosenMethod chosen = base(spec, options);
   chosen.reads = entry.reads(options);
   chosen.reads_codes = !chosen.reads.empty();
-  entry.make(options, 0);  // an option out of range is told now, not after an hour
+  if (entry.plugin) chosen.program = entry.plugin->fingerprint;
   chosen.make = [&entry, options](const Recording&, std::uint64_t seed) {
     return detect_every_frame(entry.make(options, seed));
   };
@@ -36,11 +57,12 @@ ChosenMethod choose_detector(const DetectorEntry& entry, const MethodSpec& spec)
 
 ChosenMethod choose_tracker(const TrackerEntry& entry, const MethodSpec& spec) {
   const Options options(entry.name, entry.options, spec.options);
+  try_options(entry, options);
   ChosenMethod chosen = base(spec, options);
   chosen.needs_start = true;
   chosen.takes_boxes = true;
   chosen.deterministic = entry.deterministic;
-  entry.make(options, 0);
+  if (entry.plugin) chosen.program = entry.plugin->fingerprint;
   chosen.make = [&entry, options](const Recording&, std::uint64_t seed) {
     return track_from_box([&entry, options, seed](std::uint64_t start) {
       return entry.make(options, Random(seed).fork(start).next());

@@ -22,6 +22,7 @@ struct ChosenMethod {
   bool takes_boxes = false;  ///< as Method has it
   bool reads_codes = false;
   bool deterministic = true;
+  std::string program;             ///< fingerprint of the plug-in it comes from; empty: built in
   std::vector<std::string> reads;  ///< families of the codes it reads; empty: asked about every target
   std::function<std::unique_ptr<Method>(const Recording&, std::uint64_t seed)> make;
 

@@ -146,6 +146,7 @@ int detect(const DetectArguments& arguments, const Methods& methods) {
   const auto specs = parse_methods(arguments.method);
   if (specs.size() != 1) throw Error("detect takes one method");
   const DetectorEntry& entry = detector_entry(methods, specs[0].name);
+  choose(methods, specs[0]);  // a plug-in that does not survive these options is told of in one sentence
   const Options options(entry.name, entry.options, specs[0].options);
   const auto detector = entry.make(options, 1);
   for (std::size_t i = 0; i < arguments.images.size(); ++i) {

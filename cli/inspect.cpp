@@ -5,7 +5,7 @@
 #include <opencv2/core/utility.hpp>
 
 #include "cli/inspect_report.h"
-#include "cli/recording_path.h"
+#include "cli/recordings.h"
 #include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "core/error.h"

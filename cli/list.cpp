@@ -15,17 +15,20 @@ namespace {
 struct Row {
   std::string kind, name, sentence;
   std::vector<OptionInfo> options;
+  std::string plugin = {};  // its file's name; empty: built in
 };
+
+std::string file_of(const std::optional<PluginFile>& plugin) { return plugin ? plugin->name : ""; }
 
 std::vector<Row> rows(const Methods& methods) {
   std::vector<Row> all;
   for (const auto& d : methods.detectors.entries())
-    all.push_back({"detector", d.name, d.sentence, d.options});
+    all.push_back({"detector", d.name, d.sentence, d.options, file_of(d.plugin)});
   for (const auto& t : methods.trackers.entries()) {
     const bool yardstick = is_yardstick(t.name);
     const std::string sentence = t.sentence + (t.deterministic ? "" : " (answers differ from run to run)") +
                                  (t.needs.empty() ? "" : " (needs " + t.needs + ")");
-    all.push_back({yardstick ? "yardstick" : "tracker", t.name, sentence, t.options});
+    all.push_back({yardstick ? "yardstick" : "tracker", t.name, sentence, t.options, file_of(t.plugin)});
   }
   all.push_back({"yardstick", "mute", "never answers: the low end of every scale", {}});
   all.push_back({"yardstick", "oracle", "answers with the truth: the high end of every scale", {}});
@@ -43,7 +46,11 @@ void print_json(const std::vector<Row>& all) {
       options.push_back(
           {{"name", o.name}, {"default", o.default_value}, {"unit", o.unit}, {"sentence", o.sentence}});
     json.push_back(
-        {{"name", row.name}, {"kind", row.kind}, {"sentence", row.sentence}, {"options", options}});
+        {{"name", row.name},
+         {"kind", row.kind},
+         {"sentence", row.sentence},
+         {"options", options},
+         {"plugin", row.plugin.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(row.plugin)}});
   }
   fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
@@ -54,7 +61,8 @@ int list(const ListArguments& arguments, const Methods& methods) {
   const auto all = rows(methods);
   if (arguments.json) return print_json(all), 0;
   for (const Row& row : all) {
-    fmt::print("{:<10} {:<9}  {}\n", row.name, row.kind, row.sentence);
+    fmt::print("{:<10} {:<9}  {}{}\n", row.name, row.kind, row.sentence,
+               row.plugin.empty() ? "" : " (" + row.plugin + ")");
     if (!arguments.verbose) continue;
     for (const OptionInfo& option : row.options)
       fmt::print("{:>22}  {}={}{}\n{:24}{}\n", "", option.name, option.default_value,

@@ -7,7 +7,7 @@
 #include <opencv2/core/version.hpp>
 #include <set>
 
-#include "cli/recording_path.h"
+#include "cli/recordings.h"
 #include "cli/run_folder.h"
 #include "cli/version.h"
 #include "core/error.h"
@@ -87,7 +87,7 @@ RunRecord record_of(const Matrix& matrix, const PlannedRun& run, const std::stri
   const Condition& condition = matrix.condition_of(run);
   RunRecord record;
   record.relock_version = kVersion;
-  record.program = program;
+  record.program = program + run.method.program;
   record.opencv_version = CV_VERSION;
   record.recording = matrix.sequence_of(run).recording.name;
   record.fingerprint = matrix.sequence_of(run).fingerprint;

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
+#include "cli/plugins.h"
 #include "cli/verbs.h"
 #include "cli/version.h"
 #include "core/error.h"
@@ -15,6 +16,7 @@
 namespace relock {
 namespace {
 
+constexpr int kPartly = 1;  // something that was asked for was not done, the rest was
 constexpr int kUserError = 2;
 
 /// The arguments of all verbs, filled in by CLI11.
@@ -26,6 +28,8 @@ struct Arguments {
   ListArguments list;
   InspectArguments inspect;
   CheckArguments check;
+  NewArguments start_new;
+  std::vector<std::filesystem::path> plugins;  // of any verb that names methods
 };
 
 template <class Text>
@@ -96,7 +100,8 @@ void add_list(CLI::App& app, ListArguments& a) {
 void add_inspect(CLI::App& app, InspectArguments& a) {
   CLI::App& verb = *app.add_subcommand(
       "inspect", "Tell what a recording is and what it is fit for: gaps, labels, steps, blur");
-  verb.add_option("recording", a.path, "the recording, or the name of one that relock comes with")->required();
+  verb.add_option("recording", a.path, "the recording, or the name of one that relock comes with")
+      ->required();
   verb.add_option("--labels", a.labels, "its labels; else labels.csv in the recording's folder");
   verb.add_option("--rate", a.rate_hz, "nominal rate, Hz; also makes the times of a recording that has none");
   verb.add_option("--format", a.format, "how it is kept on disk; else recognised");
@@ -118,6 +123,13 @@ void add_check(CLI::App& app, CheckArguments& a) {
   verb.add_flag("--json", a.json, "print the results as JSON");
 }
 
+void add_new(CLI::App& app, NewArguments& a) {
+  CLI::App& verb = *app.add_subcommand("new", "Begin a plug-in of your own");
+  verb.add_option("kind", a.kind, "detector or tracker")->required();
+  verb.add_option("name", a.name, "its name: lower case letters, digits and _")->required();
+  verb.add_option("--in", a.in, "where its folder goes")->capture_default_str();
+}
+
 /// CLI11 names a verb it does not know, but not the one that was meant.
 void check_verb(int argc, char** argv, const CLI::App& app) {
   if (argc < 2 || argv[1][0] == '-') return;
@@ -129,6 +141,28 @@ void check_verb(int argc, char** argv, const CLI::App& app) {
                             did_you_mean(argv[1], verbs)));
 }
 
+/// Gives --plugin to every verb that names methods.
+void add_plugin_option(CLI::App& app, std::vector<std::filesystem::path>& plugins) {
+  const std::vector<std::string> naming{"run", "detect", "list", "check"};
+  for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (std::find(naming.begin(), naming.end(), verb->get_name()) == naming.end()) continue;
+    verb->add_option("--plugin", plugins,
+                     "a shared library that brings methods, or a folder of them; repeatable")
+        ->allow_extra_args(false);
+  }
+}
+
+/// The methods that the verb can name: those of plug-ins too. Tells which plug-ins were left out.
+Methods with_plugins(const CLI::App& app, const Arguments& arguments, Methods methods, int& status) {
+  const auto verbs = app.get_subcommands();
+  if (verbs.empty() || !verbs.front()->get_option_no_throw("--plugin")) return methods;
+  for (const LeftOut& plugin : add_plugins(methods, arguments.plugins)) {
+    fmt::print(stderr, "relock: plug-in {} is left out: {}\n", plugin.file.string(), plugin.why);
+    if (plugin.asked_for) status = kPartly;
+  }
+  return methods;
+}
+
 int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& methods) {
   if (app.got_subcommand("run")) return run(arguments.run, methods);
   if (app.got_subcommand("score")) return score(arguments.score);
@@ -136,6 +170,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& met
   if (app.got_subcommand("detect")) return detect(arguments.detect, methods);
   if (app.got_subcommand("inspect")) return inspect(arguments.inspect);
   if (app.got_subcommand("check")) return check(arguments.check, methods);
+  if (app.got_subcommand("new")) return start_new(arguments.start_new, methods);
   return list(arguments.list, methods);
 }
 
@@ -168,10 +203,14 @@ int run_program(int argc, char** argv, const Methods& methods) {
   add_list(app, arguments.list);
   add_inspect(app, arguments.inspect);
   add_check(app, arguments.check);
+  add_new(app, arguments.start_new);
+  add_plugin_option(app, arguments.plugins);
   try {
     check_verb(argc, argv, app);
     app.parse(argc, argv);
-    const int status = dispatch(app, arguments, methods);
+    int status = 0;
+    const Methods all = with_plugins(app, arguments, methods, status);
+    status = std::max(status, dispatch(app, arguments, all));
     if (std::fflush(stdout) != 0) return complain("the output cannot be written; is the disk full?");
     return status;
   } catch (const CLI::Success& wanted) {  // --help, --version

@@ -85,4 +85,11 @@ struct CheckArguments {
 };
 int check(const CheckArguments& arguments, const Methods& methods);
 
+struct NewArguments {
+  std::string kind;  ///< detector or tracker
+  std::string name;
+  std::filesystem::path in = ".";  ///< where its folder goes
+};
+int start_new(const NewArguments& arguments, const Methods& methods);
+
 }  // namespace relock

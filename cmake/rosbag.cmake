@@ -1,4 +1,4 @@
-# ROS 1 bags, if librosbag_storage is there: target relock::rosbag. Debian pairs it with the pluginlib of ROS 2, so
+# ROS 1 bags, if librosbag_storage is there: ROSBAG_LIBRARIES is set. Debian pairs it with the pluginlib of ROS 2, so
 # that neither its pkg-config file nor its CMake package can be used as it stands: the parts are found one by one.
 set(RELOCK_ROSBAG AUTO CACHE STRING "Read ROS 1 bags: ON, OFF, or AUTO for: if librosbag_storage is installed")
 
@@ -32,15 +32,22 @@ function(relock_find_rosbag)
   if(NOT ROSBAG_COMPILES)
     return()
   endif()
-  add_library(relock_rosbag_storage INTERFACE)
-  add_library(relock::rosbag ALIAS relock_rosbag_storage)
-  target_include_directories(relock_rosbag_storage SYSTEM INTERFACE ${includes})
-  target_link_libraries(relock_rosbag_storage INTERFACE ${libraries})
+  # By path and not as a target, so that an installed relock needs no target of that name.
+  set(ROSBAG_INCLUDES ${includes} PARENT_SCOPE)
+  set(ROSBAG_LIBRARIES ${libraries} PARENT_SCOPE)
+endfunction()
+
+# Links what reads ROS bags, if it is there.
+function(relock_link_rosbag target)
+  if(ROSBAG_LIBRARIES)
+    target_include_directories(${target} SYSTEM PRIVATE ${ROSBAG_INCLUDES})
+    target_link_libraries(${target} PRIVATE ${ROSBAG_LIBRARIES})
+  endif()
 endfunction()
 
 if(NOT RELOCK_ROSBAG STREQUAL OFF)
   relock_find_rosbag()
-  if(RELOCK_ROSBAG STREQUAL ON AND NOT TARGET relock::rosbag)
+  if(RELOCK_ROSBAG STREQUAL ON AND NOT ROSBAG_LIBRARIES)
     message(FATAL_ERROR "RELOCK_ROSBAG is ON and ROS bags cannot be read: "
                         "install librosbag-storage-dev")
   endif()

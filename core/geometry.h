@@ -20,9 +20,9 @@ struct Vec2 {
   friend Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
   friend Vec2 operator*(double s, Vec2 a) { return {s * a.x, s * a.y}; }
 };
-double dot(Vec2 a, Vec2 b);
-double norm(Vec2 a);
-bool finite(Vec2 a);
+inline double dot(Vec2 a, Vec2 b);
+inline double norm(Vec2 a);
+inline bool finite(Vec2 a);
 
 /// Width and height of a picture, px.
 struct Size {
@@ -62,24 +62,26 @@ struct Ellipse {
 using Outline = std::variant<Box, Quad, Ellipse>;
 
 /// Centre of the outline: middle of a box, centroid of a quad's area, centre of an ellipse.
-Vec2 centre_of(const Outline& outline);
+inline Vec2 centre_of(const Outline& outline);
 /// Where the diagonals of a quad meet: the image of a square's physical centre under any perspective.
-Vec2 diagonals_meet(const Quad& quad);
+inline Vec2 diagonals_meet(const Quad& quad);
 /// Size D of metrics.md section 1: square root of a box's area, side of the square with a quad's perimeter,
 /// major axis of an ellipse; px.
-double size_of(const Outline& outline);
+inline double size_of(const Outline& outline);
 /// The smallest box around the outline.
-Box bounds(const Outline& outline);
+inline Box bounds(const Outline& outline);
 /// Every number finite, and nothing of zero or negative size.
-bool well_formed(const Outline& outline);
+inline bool well_formed(const Outline& outline);
 
 /// Part of the two boxes' union that both cover, in [0, 1]. Continuous: no inclusive pixels.
-double intersection_over_union(const Box& a, const Box& b);
+inline double intersection_over_union(const Box& a, const Box& b);
 /// The common part; of zero size when there is none.
-Box intersect(const Box& a, const Box& b);
+inline Box intersect(const Box& a, const Box& b);
 /// The box that a picture covers: from -0.5 to width - 0.5.
-Box picture_box(Size picture);
+inline Box picture_box(Size picture);
 /// Part of the outline's area that lies inside `box`, in [0, 1].
 double share_inside(const Outline& outline, const Box& box);
 
 }  // namespace relock
+
+#include "core/geometry_inline.h"  // the functions, for plug-ins too: they link nothing

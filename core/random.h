@@ -10,17 +10,34 @@ class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
 
-  std::uint64_t next();
+  std::uint64_t next() {
+    state_ += kGolden;
+    return mix(state_);
+  }
   /// Uniform in [0, 1), 53 bits.
-  double uniform();
+  double uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
   /// True with probability p.
   bool chance(double p) { return uniform() < p; }
   /// Uniform in {0, …, n - 1}; n > 0.
-  std::uint64_t below(std::uint64_t n);
+  std::uint64_t below(std::uint64_t n) {
+    // Draws above the largest multiple of n are thrown away, so that no remainder is favoured.
+    const std::uint64_t spare = (0 - n) % n;
+    std::uint64_t drawn = next();
+    while (drawn < spare) drawn = next();
+    return drawn % n;
+  }
   /// An independent generator for the purpose `key`.
-  Random fork(std::uint64_t key) const;
+  Random fork(std::uint64_t key) const { return Random(mix(state_ ^ mix(key + kGolden))); }
 
  private:
+  static constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15u;
+
+  static std::uint64_t mix(std::uint64_t z) {
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+  }
+
   std::uint64_t state_;
 };
 

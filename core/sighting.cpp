@@ -26,8 +26,4 @@ CentreKind parse_centre_kind(std::string_view text) {
   throw Error(fmt::format("\"{}\" is no kind of centre; write projected or outline", text));
 }
 
-Sighting sighting_of(const Outline& outline) {
-  return {.centre = centre_of(outline), .centre_kind = CentreKind::outline, .outline = outline};
-}
-
 }  // namespace relock

@@ -57,6 +57,8 @@ struct Sighting {
 using Sightings = std::vector<Sighting>;
 
 /// A sighting of `outline` about its own centre.
-Sighting sighting_of(const Outline& outline);
+inline Sighting sighting_of(const Outline& outline) {
+  return {.centre = centre_of(outline), .centre_kind = CentreKind::outline, .outline = outline};
+}
 
 }  // namespace relock
