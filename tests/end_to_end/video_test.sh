@@ -22,9 +22,9 @@ expect "a run of a video ends well" 0 $?
 expect_contains "with frames, size, length and T" "flight: 44 frames of 640x360, 1.73 s, T 33.333 ms" "$(cat "$work/said")"
 interval=$(awk -F, 'NR == 22 { late = $1 } NR == 21 { early = $1 } END { print late - early }' "$(find "$work/out" -name timestamps.csv | head -n 1)")
 expect "the gap is as long as it was" 333333 "$((interval / 1000))"
-expect "every frame has its verdict" 44 "$(($(cat "$work"/out/*/*/still/verdicts.csv | wc -l) - 1))"
 "$relock" score "$work/out" >"$work/scores"
 expect "it can be scored" 0 $?
+expect "every frame has its verdict" 44 "$(($(cat "$work"/out/*/*/still/verdicts.csv | wc -l) - 1))"
 
 head --bytes=9000 "$work/flight.mp4" >"$work/short.mp4"
 expect_contains "a cut film is told" "short.mp4 is no video that can be read, or its beginning or index is missing" \
