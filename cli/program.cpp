@@ -90,7 +90,8 @@ void add_list(CLI::App& app, ListArguments& a) {
 void add_inspect(CLI::App& app, InspectArguments& a) {
   CLI::App& verb = *app.add_subcommand(
       "inspect", "Tell what a recording is and what it is fit for: gaps, labels, steps, blur");
-  verb.add_option("recording", a.path, "the recording, or the name of one that relock comes with")->required();
+  verb.add_option("recording", a.path, "the recording, or the name of one that relock comes with")
+      ->required();
   verb.add_option("--labels", a.labels, "its labels; else labels.csv in the recording's folder");
   verb.add_option("--rate", a.rate_hz, "nominal rate, Hz; also makes the times of a recording that has none");
   verb.add_option("--format", a.format, "how it is kept on disk; else recognised");
