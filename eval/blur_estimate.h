@@ -28,7 +28,8 @@ constexpr double kLeastBlurRegion_px = 32;
 /// way only, or a lens that blurs every way alike, do not pass for motion. Of all lengths and directions the
 /// most likely is taken (Whittle's likelihood, over 64 px windows that overlap by half).
 ///
-/// What it is good for was measured by blurring real pictures (tests/eval/blur_estimate_test.cpp prints the
+/// What it is good for was measured by blurring pictures of one real clip, on which its
+/// thresholds were chosen too (tests/eval/blur_estimate_test.cpp prints the
 /// table): on a whole picture, lengths from 3 to 20 px within 10 %, directions within 5 degrees from 6 px on and
 /// 15 below; on a target of 40 to 60 px eight of ten answers from 3 to 9 px are within 25 % and 0.5 px, but
 /// about half of such blurs pass for none. Repeated patterns deceive it: on printed markers
