@@ -25,6 +25,7 @@ struct MedianFlowOptions {
 /// tracker takes about 200 MB and a quarter of a second to start. The library draws from rand(): relock keeps
 /// a sequence of its own for every start where the C library is glibc, so that a start is repeatable and the
 /// program's rand() stays undisturbed. Elsewhere trackers at work side by side change each other's answers.
+/// Use it in one thread of a program at a time: rand() belongs to all of them.
 struct BoostingOptions {
   int classifiers = 100;       ///< in the strong classifier; more is slower
   double search_factor = 1.8;  ///< side of the searched area, in sizes of the target
