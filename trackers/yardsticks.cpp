@@ -115,7 +115,7 @@ class LinearTracker final : public Tracker {
 
  private:
   void measure(const Frame& frame, double t) {
-    if (patch_.empty() || t <= 0) return;
+    if (patch_.empty() || frame.image.empty() || t <= 0) return;
     const cv::Mat gray = gray_of(frame.image, gray_);
     const int reach = std::max({kLeastReachPx, patch_.cols, patch_.rows});
     const auto place = find_patch(gray, patch_, patch_at_ + t * velocity_, reach);
