@@ -161,7 +161,7 @@ Use least(const Use& a, const Use& b) {
 
 Note memory(const Subject& subject, const MemoryLimits& limits, Stage& stage) {
   constexpr double kMostResident = 4e6, kMostAllocated = 256e3;
-  constexpr int kWindow = 8, kWarmFrames = 200;
+  constexpr int kWindow = 8, kWarmFrames = 200, kFewest = 100;
   using Clock = std::chrono::steady_clock;
   const Stand stand = small_stand(subject);
   const Film film = moving(stand.scene, stand.start, {0, 0}, 1);
@@ -172,7 +172,7 @@ Note memory(const Subject& subject, const MemoryLimits& limits, Stage& stage) {
   uses.reserve(static_cast<std::size_t>(limits.frames));
   const auto begun = Clock::now();
   int shown = 0;
-  while (shown < limits.frames && (shown < 2 * kWindow || Clock::now() - begun < limits.budget)) {
+  while (shown < limits.frames && (shown < kFewest || Clock::now() - begun < limits.budget)) {
     Frame frame = film.shots[1].frame();
     frame.index = ++shown;
     frame.captured = shown * period_of(30) + Time{};

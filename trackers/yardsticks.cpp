@@ -91,7 +91,7 @@ class LinearTracker final : public Tracker {
 
  private:
   void measure(const Frame& frame, double t) {
-    if (!patch_.usable() || t <= 0) return;
+    if (!patch_.usable() || frame.image.empty() || t <= 0) return;
     const cv::Mat gray = gray_of(frame.image, gray_);
     const int reach = std::max({kLeastReachPx, patch_.patch().cols, patch_.patch().rows});
     const auto match = find(gray, patch_at_ + t * velocity_, reach);
