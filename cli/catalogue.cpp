@@ -60,6 +60,7 @@ ChosenMethod choose_tracker(const TrackerEntry& entry, const MethodSpec& spec) {
   try_options(entry, options);
   ChosenMethod chosen = base(spec, options);
   chosen.needs_start = true;
+  chosen.takes_boxes = true;
   chosen.deterministic = entry.deterministic;
   if (entry.plugin) chosen.program = entry.plugin->fingerprint;
   chosen.make = [&entry, options](const Recording&, std::uint64_t seed) {
@@ -72,6 +73,7 @@ ChosenMethod choose_tracker(const TrackerEntry& entry, const MethodSpec& spec) {
 
 ChosenMethod choose_end_of_scale(const MethodSpec& spec) {
   ChosenMethod chosen = base(spec, Options(spec.name, {}, spec.options));
+  chosen.takes_boxes = true;
   chosen.make = [name = spec.name](const Recording& recording, std::uint64_t) {
     return name == "mute" ? mute() : oracle(recording);
   };

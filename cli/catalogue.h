@@ -19,6 +19,7 @@ struct ChosenMethod {
   std::map<std::string, std::string> options;  ///< all of them, defaults too
   bool yardstick = false;
   bool needs_start = false;  ///< without a box it never answers: not for protocol detect
+  bool takes_boxes = false;  ///< as Method has it
   bool reads_codes = false;
   bool deterministic = true;
   std::string program;             ///< fingerprint of the plug-in it comes from; empty: built in

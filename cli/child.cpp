@@ -139,7 +139,7 @@ void Child::be_the_child(const std::function<void(const Tell&)>& work, int messa
     work([messages](std::string_view text) { say(messages, Word::message, text); });
   } catch (const std::bad_alloc&) {
     word = Word::threw;
-    why = "ran out of memory";
+    why = kRanOutOfMemory;
   } catch (const std::exception& fault) {
     word = Word::threw;
     why = fault.what();

@@ -22,6 +22,9 @@ struct ChildLimits {
   std::optional<std::uint64_t> memory_bytes = {};        ///< what it may allocate; else what there is
 };
 
+/// What ChildEnd says of a child that had no memory left.
+inline constexpr std::string_view kRanOutOfMemory = "ran out of memory";
+
 /// How a child process ended.
 struct ChildEnd {
   enum class Kind : std::uint8_t {

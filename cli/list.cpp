@@ -26,7 +26,8 @@ std::vector<Row> rows(const Methods& methods) {
     all.push_back({"detector", d.name, d.sentence, d.options, file_of(d.plugin)});
   for (const auto& t : methods.trackers.entries()) {
     const bool yardstick = is_yardstick(t.name);
-    const std::string sentence = t.sentence + (t.deterministic ? "" : " (answers differ from run to run)");
+    const std::string sentence = t.sentence + (t.deterministic ? "" : " (answers differ from run to run)") +
+                                 (t.needs.empty() ? "" : " (needs " + t.needs + ")");
     all.push_back({yardstick ? "yardstick" : "tracker", t.name, sentence, t.options, file_of(t.plugin)});
   }
   all.push_back({"yardstick", "mute", "never answers: the low end of every scale", {}});

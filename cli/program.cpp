@@ -26,6 +26,8 @@ struct Arguments {
   TimelineArguments timeline;
   DetectArguments detect;
   ListArguments list;
+  InspectArguments inspect;
+  CheckArguments check;
   NewArguments start_new;
   std::vector<std::filesystem::path> plugins;  // of any verb that names methods
 };
@@ -37,26 +39,31 @@ CLI::Option* add_gate(CLI::App& verb, Text& gate, const std::string& when) {
 }
 
 void add_run(CLI::App& app, RunArguments& a) {
-  CLI::App& verb = *app.add_subcommand("run", "Show a recording to methods and write down what they say");
-  verb.add_option(
-          "--sequence", a.sequence,
-          "the recording: a folder of pictures, or one that relock comes with (klahaag, klahaag-prints)")
-      ->capture_default_str();
+  CLI::App& verb = *app.add_subcommand("run", "Show recordings to methods and write down what they say");
+  verb.add_option("plan", a.plan, "a plan file (TOML): sequences x gaps x methods x protocols x seeds");
+  verb.add_option("--sequence", a.sequence,
+                  "the recording: a path, or one that relock comes with: klahaag (if none is given), "
+                  "klahaag-prints");
   verb.add_option("--labels", a.labels, "its labels; else labels.csv in the recording's folder");
   verb.add_option("--rate", a.rate_hz, "nominal rate, Hz; also makes the times of a recording that has none");
   verb.add_option("--format", a.format, "how it is kept on disk; else recognised");
   verb.add_option("--topic", a.topic, "ROS bags: of the pictures; else the only one that has any");
-  verb.add_option("--methods", a.methods, "names, separated by commas: kcf,aruco,csrt(psr_threshold=0.05)")
-      ->required();
-  verb.add_option("--protocol", a.protocol, "once, reset (start again after a loss) or detect (no start)")
-      ->capture_default_str();
+  verb.add_option("--methods", a.methods, "names, separated by commas: kcf,aruco,csrt(psr_threshold=0.05)");
+  verb.add_option("--protocol", a.protocol,
+                  "once (if none is given), reset (start again after a loss) or detect (no start)");
   verb.add_option("--gaps", a.gaps,
                   "frames lost on the way: none, paper, paper-6s, bernoulli(p), gilbert-elliott(p,r), "
-                  "periodic(n,k), trace(file) or fps(n)")
+                  "periodic(n,k), trace(file) or fps(n)");
+  verb.add_option("--seed", a.seed, "of everything drawn at random; else 1");
+  add_gate(verb, a.gate, "protocol reset: when an answer is a Hit");
+  verb.add_option("--out", a.out, "folder for the results; else results");
+  verb.add_option("--jobs,-j", a.jobs,
+                  "runs at a time; the results are the same for any number, their timing is not")
       ->capture_default_str();
-  verb.add_option("--seed", a.seed, "of everything drawn at random")->capture_default_str();
-  add_gate(verb, a.gate, "protocol reset: when an answer is a Hit")->capture_default_str();
-  verb.add_option("--out", a.out, "folder for the results")->capture_default_str();
+  verb.add_option("--frame-limit", a.frame_limit_s,
+                  "seconds that a method may take for one frame before it counts as hung; else 60");
+  verb.add_option("--memory-limit", a.memory_limit_mb, "MB that a run may allocate; else 4096");
+  verb.add_flag("--dry-run", a.dry_run, "list what would be run, and estimate how long it takes");
 }
 
 void add_score(CLI::App& app, ScoreArguments& a) {
@@ -88,6 +95,32 @@ void add_list(CLI::App& app, ListArguments& a) {
   CLI::App& verb = *app.add_subcommand("list", "Show all methods");
   verb.add_flag("-v,--verbose", a.verbose, "with their options, defaults and units");
   verb.add_flag("--json", a.json, "print them as JSON");
+}
+
+void add_inspect(CLI::App& app, InspectArguments& a) {
+  CLI::App& verb = *app.add_subcommand(
+      "inspect", "Tell what a recording is and what it is fit for: gaps, labels, steps, blur");
+  verb.add_option("recording", a.path, "the recording, or the name of one that relock comes with")
+      ->required();
+  verb.add_option("--labels", a.labels, "its labels; else labels.csv in the recording's folder");
+  verb.add_option("--rate", a.rate_hz, "nominal rate, Hz; also makes the times of a recording that has none");
+  verb.add_option("--format", a.format, "how it is kept on disk; else recognised");
+  verb.add_option("--topic", a.topic, "ROS bags: of the pictures; else the only one that has any");
+  verb.add_flag("--no-pictures", a.no_pictures, "do not read the pictures: nothing is said of blur");
+  verb.add_flag("--json", a.json, "print everything as JSON, frame by frame");
+}
+
+void add_check(CLI::App& app, CheckArguments& a) {
+  CLI::App& verb =
+      *app.add_subcommand("check", "Check that methods keep what trackers and detectors promise");
+  verb.add_option("methods", a.methods, "names, separated by commas");
+  verb.add_flag("--all", a.all, "every tracker and detector");
+  verb.add_option("--check", a.only, "make only this check");
+  verb.add_option("--frames", a.frames, "shown by the check memory")->capture_default_str();
+  verb.add_option("--budget", a.budget_s, "most time that the check memory takes, s")->capture_default_str();
+  verb.add_option("--silence", a.silence_s, "longest time that one answer may take, s")
+      ->capture_default_str();
+  verb.add_flag("--json", a.json, "print the results as JSON");
 }
 
 void add_new(CLI::App& app, NewArguments& a) {
@@ -135,6 +168,8 @@ int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& met
   if (app.got_subcommand("score")) return score(arguments.score);
   if (app.got_subcommand("timeline")) return timeline(arguments.timeline);
   if (app.got_subcommand("detect")) return detect(arguments.detect, methods);
+  if (app.got_subcommand("inspect")) return inspect(arguments.inspect);
+  if (app.got_subcommand("check")) return check(arguments.check, methods);
   if (app.got_subcommand("new")) return start_new(arguments.start_new, methods);
   return list(arguments.list, methods);
 }
@@ -166,6 +201,8 @@ int run_program(int argc, char** argv, const Methods& methods) {
   add_timeline(app, arguments.timeline);
   add_detect(app, arguments.detect);
   add_list(app, arguments.list);
+  add_inspect(app, arguments.inspect);
+  add_check(app, arguments.check);
   add_new(app, arguments.start_new);
   add_plugin_option(app, arguments.plugins);
   try {

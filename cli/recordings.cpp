@@ -17,4 +17,9 @@ fs::path embedded_recordings() {
   return embedded_recordings(fs::read_symlink("/proc/self/exe", ignored));
 }
 
+fs::path recording_path(const fs::path& given) {
+  const fs::path embedded = embedded_recordings() / given;
+  return !fs::exists(given) && fs::exists(embedded) ? embedded : given;
+}
+
 }  // namespace relock

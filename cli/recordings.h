@@ -10,4 +10,7 @@ std::filesystem::path embedded_recordings();
 /// The same for the program at this place.
 std::filesystem::path embedded_recordings(const std::filesystem::path& program);
 
+/// Where a recording is: as given, or of that name among those that relock comes with.
+std::filesystem::path recording_path(const std::filesystem::path& given);
+
 }  // namespace relock

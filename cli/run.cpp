@@ -1,201 +1,219 @@
-// `relock run`: shows a recording to each method in turn and writes down what it says.
+// `relock run`: shows recordings to methods and writes down what they say.
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <opencv2/core/ocl.hpp>
 #include <opencv2/core/utility.hpp>
-#include <opencv2/core/version.hpp>
 
-#include "cli/catalogue.h"
+#include "cli/matrix.h"
+#include "cli/pool.h"
 #include "cli/run_folder.h"
+#include "cli/table.h"
 #include "cli/terminal.h"
 #include "cli/verbs.h"
-#include "cli/version.h"
 #include "core/error.h"
-#include "eval/replay.h"
-#include "sequences/gaps.h"
-#include "sequences/open.h"
 
 namespace relock {
 namespace {
 
-/// Everything that the runs of one call have in common.
-struct Plan {
-  Sequence sequence;
-  GapPattern gaps;
-  Schedule schedule;
-  Protocol protocol;
-  Gate gate;
-  std::uint64_t seed;
-  std::filesystem::path out;
-  std::string program;  // its fingerprint
-};
+constexpr int kMethodFailed = 1, kInputAtFault = 2, kInterrupted = 130;
 
-std::vector<ChosenMethod> chosen_methods(const RunArguments& arguments, const Methods& methods,
-                                         Protocol protocol) {
-  std::vector<ChosenMethod> chosen;
-  for (const MethodSpec& spec : parse_methods(arguments.methods)) chosen.push_back(choose(methods, spec));
-  const bool with_start = protocol != Protocol::detect;
-  for (const ChosenMethod& method : chosen)
-    if (method.needs_start && !with_start)
-      throw Error(fmt::format(
-          "{} needs a box to start from, and protocol detect gives none; use once or reset", method.text));
-  for (ChosenMethod& yardstick : yardsticks(methods, with_start, chosen))
-    chosen.push_back(std::move(yardstick));
-  return chosen;
+Plan plan_of(const RunArguments& arguments) {
+  const bool described = arguments.sequence || arguments.methods || arguments.gaps || arguments.protocol ||
+                         arguments.seed || arguments.gate || arguments.labels || arguments.rate_hz ||
+                         arguments.format || arguments.topic;
+  if (arguments.plan && described)
+    throw Error("a plan says what to run; beside it only --out, --jobs and --dry-run may be given");
+  if (!arguments.plan && !arguments.methods)
+    throw Error("say what to run: --methods NAME,..., or a plan file; see `relock run --help`");
+  Plan plan;
+  if (arguments.plan) {
+    plan = read_plan(*arguments.plan);
+  } else {
+    plan.sequences = {{arguments.sequence.value_or("klahaag"),
+                       {arguments.labels, arguments.rate_hz, {}, arguments.format, arguments.topic}}};
+    plan.methods = parse_methods(*arguments.methods);
+    if (arguments.gaps) plan.gaps = {*arguments.gaps};
+    if (arguments.protocol) plan.protocols = {parse_protocol(*arguments.protocol)};
+    if (arguments.seed) plan.seeds = {*arguments.seed};
+    if (arguments.gate) plan.gate = parse_gate(*arguments.gate);
+  }
+  if (arguments.out) plan.out = *arguments.out;
+  if (arguments.frame_limit_s) plan.limits.frame_s = *arguments.frame_limit_s;
+  if (arguments.memory_limit_mb) plan.limits.memory_mb = *arguments.memory_limit_mb;
+  return plan;
 }
 
-/// Frames that no pattern may take: where methods are started.
-std::vector<FrameIndex> start_frames(const Recording& recording) {
-  std::vector<FrameIndex> frames;
-  for (const auto& start : first_startable(recording))
-    if (start) frames.push_back(*start);
-  return frames;
-}
-
-void check_labels(const Sequence& sequence, const RunArguments& arguments) {
+/// "klahaag: 53 frames of 640x360, 1.73 s, T 33.333 ms, 24 dropped by paper-6s", and what sets this table
+/// apart from the plan's others.
+std::string heading(const Plan& plan, const Matrix& matrix, const Condition& condition) {
+  const Sequence& sequence = matrix.sequences[condition.sequence];
   const Recording& recording = sequence.recording;
-  if (recording.targets.empty())
-    throw Error(
-        fmt::format("{} has no labels.csv, and without truth nothing can be scored; give --labels FILE",
-                    arguments.sequence.string()));
-  for (const TargetTruth& truth : recording.truth)
-    if (truth.label == Label::visible) return;
-  throw Error(fmt::format("no target of {} is ever visible, so there is nothing to score", recording.name));
+  const Duration period = recording.period, median = sequence.median_interval;
+  std::string text =
+      fmt::format("{}: {} frames of {}x{}, {:.2f} s, T {:.3f} ms", recording.name, recording.frames(),
+                  recording.picture.width, recording.picture.height,
+                  seconds(recording.captured.back() - recording.captured.front()), 1e3 * seconds(period));
+  if (5 * std::chrono::abs(median - period) > period)  // metrics.md section 2
+    text += fmt::format(" (median interval {:.3f} ms)", 1e3 * seconds(median));
+  const std::size_t dropped = recording.frames() - delivered_frames(condition);
+  if (dropped > 0) text += fmt::format(", {} dropped by {}", dropped, condition.gaps);
+  if (plan.protocols.size() > 1) text += fmt::format(", protocol {}", to_string(condition.protocol));
+  if (plan.seeds.size() > 1) text += fmt::format(", seed {}", condition.seed);
+  return text;
 }
 
-/// The folder of a recording: as given, or of that name among those that relock comes with.
-std::filesystem::path recording_folder(const std::filesystem::path& given) {
-  const auto embedded = std::filesystem::path(RELOCK_RECORDINGS) / given;
-  return !std::filesystem::exists(given) && std::filesystem::exists(embedded) ? embedded : given;
-}
-
-std::vector<bool> asked(const ChosenMethod& method, const Recording& recording) {
-  std::vector<bool> all;
-  for (const Target& target : recording.targets) all.push_back(method.asked_about(target));
-  if (std::find(all.begin(), all.end(), true) == all.end())
-    throw Error(
-        fmt::format("{} reads codes of {}, and no target of {} has one; give the target's code in "
-                    "recording.toml",
-                    method.text, fmt::join(method.reads, ", "), recording.name));
-  return all;
-}
-
-RunRecord record_of(const Plan& plan, const ChosenMethod& method) {
-  RunRecord record;
-  record.relock_version = kVersion;
-  record.program = plan.program;
-  record.opencv_version = CV_VERSION;
-  record.recording = plan.sequence.recording.name;
-  record.fingerprint = plan.sequence.fingerprint;
-  record.method = method.text;
-  record.options = method.options;
-  record.gaps = plan.gaps.text();
-  for (std::size_t frame = 0; frame < plan.schedule.frames(); ++frame)
-    if (!plan.schedule.delivered(frame)) record.dropped.push_back(static_cast<FrameIndex>(frame));
-  record.seed = plan.seed;
-  record.protocol = plan.protocol;
-  if (plan.protocol == Protocol::reset) record.gate = to_string(plan.gate);
-  record.yardstick = method.yardstick;
-  record.reads_codes = method.reads_codes;
-  record.deterministic = method.deterministic;
-  return record;
-}
-
-Replay replay_one(const Plan& plan, const ChosenMethod& method, std::vector<bool> asked) {
-  Progress progress(method.text, static_cast<std::int64_t>(plan.sequence.recording.frames()));
-  const ReplayOptions options{plan.protocol, plan.gate, method.reads_codes, std::move(asked),
-                              [&](FrameIndex frame) { progress.done(frame + 1); }};
-  const auto source = plan.sequence.frames();
-  const auto instance = method.make(plan.sequence.recording, plan.seed);
-  return replay(*instance, *source, plan.sequence.recording, plan.schedule, options);
-}
-
-double seconds_spent(const Replay& replayed) {
+double seconds_spent(const FinishedRun& run) {
   Duration wall{0};
-  for (const FrameCost& cost : replayed.costs) wall += cost.wall;
+  for (const FrameCost& cost : run.costs) wall += cost.wall;
   return seconds(wall);
 }
 
-/// Runs one method unless that was done before. Returns what went wrong in it, if anything.
-std::optional<Failure> run_one(const Plan& plan, const ChosenMethod& method) {
-  RunRecord record = record_of(plan, method);
-  const auto folder = run_folder(plan.out, record);
-  auto targets = asked(method, plan.sequence.recording);
-  check_comparison(folder, record);
-  if (already_run(folder, record)) {
-    fmt::print("{}  kept: the same run is there already\n", padded(method.text, 12));
-    return {};
+/// Prints what came of the runs in the plan's order, each as soon as those before it are told.
+class Account {
+ public:
+  Account(const Plan& plan, const Matrix& matrix)
+      : plan_(plan), matrix_(matrix), lines_(matrix.runs.size()) {}
+
+  void add(std::size_t run, std::string line) {
+    lines_[run] = std::move(line);
+    for (; told_ < lines_.size() && lines_[told_]; ++told_) print(told_);
+    std::fflush(stdout);
   }
-  const Replay replayed = replay_one(plan, method, std::move(targets));
-  record.judged_from = replayed.trajectory.judged_from;
-  record.failed_from = replayed.trajectory.failed_from;
-  record.failures = replayed.failures;
-  record.cut_short = replayed.cut_short;
-  store_run(folder, record, plan.sequence.recording, replayed);
-  fmt::print("{}  {} frames in {:.2f} s\n", padded(method.text, 12), replayed.costs.size(),
-             seconds_spent(replayed));
-  std::fflush(stdout);
-  if (replayed.cut_short)
-    throw Error(fmt::format("{} (what was seen of the {} frames before it is kept in {})",
-                            replayed.cut_short->what, replayed.cut_short->frame, folder.string()));
-  return replayed.failures.empty() ? std::nullopt : std::optional(replayed.failures.front());
+
+ private:
+  void print(std::size_t run) const {
+    const std::size_t condition = matrix_.runs[run].condition;
+    if (run == 0 || matrix_.runs[run - 1].condition != condition)
+      fmt::print("{}\n", heading(plan_, matrix_, matrix_.conditions[condition]));
+    fmt::print("{}  {}\n", padded(matrix_.runs[run].method.text, 12), *lines_[run]);
+  }
+
+  const Plan& plan_;
+  const Matrix& matrix_;
+  std::vector<std::optional<std::string>> lines_;
+  std::size_t told_ = 0;
+};
+
+/// What went wrong, told on stderr once each when all runs are made.
+class Faults {
+ public:
+  void of_input(const std::string& sentence) { add(sentence, kInputAtFault); }
+  void of_method(const std::string& sentence) { add(sentence, kMethodFailed); }
+  int tell() const {
+    for (const std::string& sentence : sentences_) fmt::print(stderr, "relock: {}\n", sentence);
+    return status_;
+  }
+
+ private:
+  void add(const std::string& sentence, int status) {
+    status_ = std::max(status_, status);
+    if (std::find(sentences_.begin(), sentences_.end(), sentence) == sentences_.end())
+      sentences_.push_back(sentence);
+  }
+  std::vector<std::string> sentences_;
+  int status_ = 0;
+};
+
+void note_faults(Faults& faults, const PlannedRun& run, const FinishedRun& done) {
+  if (done.record.cut_short)
+    faults.of_input(fmt::format("{} (what was seen of the {} frames before it is kept in {})",
+                                done.record.cut_short->what, done.record.cut_short->frame,
+                                run.folder.parent_path().string()));
+  for (const Failure& failure : done.record.failures) {
+    std::string tail = failure.output;
+    std::replace(tail.begin(), tail.end(), '\n', ' ');
+    faults.of_method(fmt::format("{} failed on frame {}: {}{} (it is scored as failed from there on)",
+                                 run.method.text, failure.frame, failure.what,
+                                 tail.empty() ? "" : fmt::format("; it last wrote \"{}\"", tail)));
+    break;  // what comes after the first follows from it
+  }
 }
 
-void print_recording(const Plan& plan) {
-  const Recording& recording = plan.sequence.recording;
-  const Duration period = recording.period, median = plan.sequence.median_interval;
-  fmt::print("{}: {} frames of {}x{}, {:.2f} s, T {:.3f} ms", recording.name, recording.frames(),
-             recording.picture.width, recording.picture.height,
-             seconds(recording.captured.back() - recording.captured.front()), 1e3 * seconds(period));
-  if (5 * std::chrono::abs(median - period) > period)  // metrics.md section 2
-    fmt::print(" (median interval {:.3f} ms)", 1e3 * seconds(median));
-  std::size_t dropped = 0;
-  for (std::size_t frame = 0; frame < plan.schedule.frames(); ++frame)
-    dropped += plan.schedule.delivered(frame) ? 0 : 1;
-  if (dropped > 0) fmt::print(", {} dropped by {}", dropped, plan.gaps.text());
-  fmt::print("\n");
+int make(const Plan& plan, const Matrix& matrix, int jobs) {
+  const ResultsLock lock = prepare_results(plan.out);
+  for (const Sequence& sequence : matrix.sequences)
+    store_truth(plan.out, sequence.recording, sequence.fingerprint);
+  std::vector<std::size_t> todo;
+  Account account(plan, matrix);
+  Faults faults;
+  std::size_t complete = 0;
+  for (std::size_t run = 0; run < matrix.runs.size(); ++run)
+    if (!matrix.runs[run].there) todo.push_back(run);
+  for (std::size_t run = 0; run < matrix.runs.size(); ++run)
+    if (matrix.runs[run].there) account.add(run, "kept: the same run is there already"), ++complete;
+  PoolReport report;
+  report.finished = [&](std::size_t run, const FinishedRun& done) {
+    account.add(run, fmt::format("{} frames in {:.2f} s", done.costs.size(), seconds_spent(done)));
+    note_faults(faults, matrix.runs[run], done);
+    ++complete;
+  };
+  report.not_made = [&](std::size_t run, const std::string& why) {
+    account.add(run, "not run");
+    faults.of_input(why);
+  };
+  if (!make_runs(matrix, todo, plan.limits, jobs, report)) {
+    faults.tell();
+    fmt::print(stderr,
+               "relock: interrupted; {} of {} runs are complete and kept, and the same command goes on from "
+               "there\n",
+               complete, matrix.runs.size());
+    return kInterrupted;
+  }
+  const std::string out = plan.out.string();
+  fmt::print("Results are in {0}; see them with `relock timeline {0}` and `relock score {0}`\n", out);
+  std::fflush(stdout);
+  return faults.tell();
+}
+
+/// Lists what would be run, and estimates from a trial of each method on each sequence how long it would
+/// take.
+int dry_run(const Plan& plan, const Matrix& matrix, int jobs) {
+  Table table({"recording", "gaps", "protocol", "seed", "method", "frames", "takes"});
+  std::map<std::pair<std::size_t, std::string>, std::optional<double>> pace;  // by sequence and method
+  double total = 0;
+  std::size_t there = 0, unknown = 0;
+  for (const PlannedRun& run : matrix.runs) {
+    const Condition& condition = matrix.condition_of(run);
+    const std::size_t frames = delivered_frames(condition);
+    std::string takes = "kept";
+    if (run.there) {
+      ++there;
+    } else {
+      const auto key = std::pair(condition.sequence, run.method.text);
+      if (!pace.contains(key)) pace[key] = trial_seconds_per_frame(matrix, run);
+      const double spent = pace[key].value_or(0) * static_cast<double>(frames);
+      total += spent;
+      unknown += pace[key] ? 0 : 1;
+      takes = pace[key] ? spoken_time(spent) : "unknown";
+    }
+    table.add({matrix.sequence_of(run).recording.name, condition.gaps,
+               std::string(to_string(condition.protocol)), fmt::format("{}", condition.seed), run.method.text,
+               fmt::format("{}", frames), takes});
+  }
+  fmt::print("{}", table.text(0));
+  for (const std::string& why : matrix.left_out) fmt::print("left out: {}\n", why);
+  fmt::print(
+      "{} runs to {}, {} of them there already; the others take about {} with --jobs {}, by a trial of "
+      "ten frames each{}\n",
+      matrix.runs.size(), plan.out.string(), there, spoken_time(total / jobs), jobs,
+      unknown == 0 ? "" : fmt::format(" ({} runs failed their trial)", unknown));
+  return 0;
 }
 
 }  // namespace
 
 int run(const RunArguments& arguments, const Methods& methods) {
   cv::setNumThreads(1);  // the same bytes and comparable times on any machine
-  const Protocol protocol = parse_protocol(arguments.protocol);
-  const Gate gate = parse_gate(arguments.gate);
-  const auto chosen = chosen_methods(arguments, methods, protocol);
-  GapPattern gaps = GapPattern::parse(arguments.gaps);
-  Sequence sequence =
-      open_sequence(recording_folder(arguments.sequence),
-                                    {arguments.labels, arguments.rate_hz, {}, arguments.format, arguments.topic});
-  check_labels(sequence, arguments);
-  for (const ChosenMethod& method : chosen) asked(method, sequence.recording);
-  const Schedule schedule = gaps.apply(sequence.recording.captured, sequence.recording.period, arguments.seed,
-                                       start_frames(sequence.recording));
-  prepare_results(arguments.out);
-  store_truth(arguments.out, sequence.recording, sequence.fingerprint);
-  const Plan plan{std::move(sequence),
-                  std::move(gaps),
-                  schedule,
-                  protocol,
-                  gate,
-                  arguments.seed,
-                  arguments.out,
-                  file_fingerprint("/proc/self/exe")};
-
-  print_recording(plan);
-  bool failed = false;
-  for (const ChosenMethod& method : chosen) {
-    if (const auto failure = run_one(plan, method)) {
-      failed = true;
-      fmt::print(stderr, "relock: {} failed on frame {}: {} (it is scored as failed from there on)\n",
-                 method.text, failure->frame, failure->what);
-    }
-  }
-  fmt::print("Results are in {}; see them with `relock timeline {}` and `relock score {}`\n",
-             arguments.out.string(), arguments.out.string(), arguments.out.string());
-  return failed ? 1 : 0;
+  cv::ocl::setUseOpenCL(false);
+  if (arguments.jobs < 1 || arguments.jobs > 1024)
+    throw Error(fmt::format("--jobs {} is none; it must be from 1 to 1024", arguments.jobs));
+  const Plan plan = plan_of(arguments);
+  const Matrix matrix = multiply_out(plan, methods);
+  if (arguments.dry_run) return dry_run(plan, matrix, arguments.jobs);
+  for (const std::string& why : matrix.left_out) fmt::print("left out: {}\n", why);
+  return make(plan, matrix, arguments.jobs);
 }
 
 }  // namespace relock

@@ -2,10 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <thread>
 
 #include "cli/files.h"
 #include "core/error.h"
@@ -34,9 +43,9 @@ std::string slug(std::string_view text) {
   return name.empty() || name.front() == '.' ? "_" + name : name;
 }
 
-/// "recorded", "bernoulli-0.1-s1", "trace-tagslam_test_14_top_left-s1".
+/// "recorded", "recorded-s2", "bernoulli-0.1-s1", "trace-tagslam_test_14_top_left-s1".
 std::string gaps_slug(const RunRecord& record) {
-  if (record.gaps == "none") return "recorded";
+  if (record.gaps == "none") return record.seed == 1 ? "recorded" : fmt::format("recorded-s{}", record.seed);
   std::string text = record.gaps;
   if (text.starts_with("trace(")) text = "trace-" + fs::path(text.substr(6, text.size() - 7)).stem().string();
   return fmt::format("{}-s{}", slug(text), record.seed);
@@ -55,10 +64,29 @@ void make_folder(const fs::path& folder) {
   if (fault) throw Error(fmt::format("{} cannot be made ({})", folder.string(), fault.message()));
 }
 
-/// Puts a finished folder in its place, and an older one out of it.
+/// Puts a finished folder in its place. An older one is moved away first, whole, and then removed: whoever is
+/// killed in between leaves nothing that is half there.
 void put_in_place(const fs::path& finished, const fs::path& place) {
-  fs::remove_all(place);
+  const fs::path old = temporary_name(place.string() + ".old");
+  if (fs::exists(place)) fs::rename(place, old);
   fs::rename(finished, place);
+  fs::remove_all(old);
+}
+
+/// Whether a file or folder is one that temporary_name() named, of a program that is no more.
+bool left_behind(const fs::path& path) {
+  const std::string name = path.filename().string();
+  const std::size_t tag = name.rfind(".tmp.");
+  if (!name.starts_with(".") || tag == std::string::npos) return false;
+  const long pid = std::strtol(name.c_str() + tag + 5, nullptr, 10);
+  return pid > 0 && (pid == getpid() || ::kill(static_cast<pid_t>(pid), 0) != 0);
+}
+
+void remove_left_behind(const fs::path& out) {
+  std::vector<fs::path> all;
+  for (const auto& entry : fs::recursive_directory_iterator(out))
+    if (left_behind(entry.path())) all.push_back(entry.path());
+  for (const fs::path& path : all) fs::remove_all(path);
 }
 
 /// The recording as far as a run that was cut short saw it.
@@ -95,13 +123,16 @@ void check_conditions(const fs::path& folder, const RunRecord& a, const RunRecor
       b.gate.empty() ? "" : ", gate " + b.gate));
 }
 
+/// Whether a finished run is in this folder: drafts have names that begin with a dot.
+bool holds_run(const fs::path& folder) {
+  return !folder.filename().string().starts_with(".") && fs::exists(folder / "run.json");
+}
+
 std::vector<fs::path> runs_in(const fs::path& comparison) {
   std::vector<fs::path> runs;
   if (!fs::is_directory(comparison)) return runs;
-  for (const auto& entry : fs::directory_iterator(comparison)) {
-    const bool draft = entry.path().filename().string().starts_with(".");
-    if (!draft && fs::exists(entry.path() / "run.json")) runs.push_back(entry.path());
-  }
+  for (const auto& entry : fs::directory_iterator(comparison))
+    if (holds_run(entry.path())) runs.push_back(entry.path());
   return runs;
 }
 
@@ -127,13 +158,38 @@ StoredComparison read_comparison(const fs::path& folder, std::vector<fs::path> r
 
 }  // namespace
 
-void prepare_results(const fs::path& out) {
+ResultsLock::ResultsLock(const fs::path& out) {
+  const fs::path path = out / ".lock";
+  file_ = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (file_ < 0) throw Error(fmt::format("{} cannot be written ({})", path.string(), std::strerror(errno)));
+  // The workers of a program that was killed hold it for a moment longer.
+  for (int wait = 0; flock(file_, LOCK_EX | LOCK_NB) != 0; ++wait) {
+    if (errno == EWOULDBLOCK && wait < 50) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      continue;
+    }
+    close(file_);
+    if (errno == EWOULDBLOCK)
+      throw Error(fmt::format("another relock is writing into {}; wait for it or choose another --out",
+                              out.string()));
+    throw Error(fmt::format("{} cannot be locked ({})", path.string(), std::strerror(errno)));
+  }
+}
+
+ResultsLock::~ResultsLock() {
+  if (file_ >= 0) close(file_);
+}
+
+ResultsLock prepare_results(const fs::path& out) {
   if (fs::exists(out) && !fs::is_directory(out))
     throw Error(fmt::format("{} is a file; results need a folder", out.string()));
-  if (fs::exists(out) && !fs::is_empty(out) && !fs::exists(out / kMarker))
+  if (fs::exists(out) && !fs::is_empty(out) && !fs::exists(out / kMarker) && !fs::exists(out / ".lock"))
     throw Error(fmt::format("{} holds files that are not relock's; choose another --out", out.string()));
   make_folder(out);
-  write_file(out / kMarker, "{\"format\": 1}\n");
+  ResultsLock lock(out);
+  if (!fs::exists(out / kMarker)) write_file(out / kMarker, "{\"format\": 1}\n");
+  remove_left_behind(out);
+  return lock;
 }
 
 void store_truth(const fs::path& out, const Recording& recording, const std::string& fingerprint) {
@@ -169,15 +225,18 @@ bool already_run(const fs::path& folder, const RunRecord& record) {
   return there.same_inputs(record) && !there.cut_short;
 }
 
-void store_run(const fs::path& folder, const RunRecord& record, const Recording& recording,
-               const Replay& replay) {
+void store_run(const fs::path& folder, const FinishedRun& run) {
   const fs::path draft = temporary_name(folder);
   make_folder(draft);
-  std::ostringstream trajectory;
-  write_trajectory(trajectory, recording, replay.trajectory);
-  write_file(draft / "trajectory.csv", trajectory.str());
-  write_file(draft / "timing.csv", timing_csv(replay.costs));
-  write_file(draft / "run.json", to_json_text(record));
+  try {
+    write_file(draft / "trajectory.csv", run.trajectory);
+    write_file(draft / "timing.csv", timing_csv(run.costs));
+    write_file(draft / "run.json", to_json_text(run.record));
+  } catch (const Error&) {
+    std::error_code ignored;
+    fs::remove_all(draft, ignored);
+    throw;
+  }
   put_in_place(draft, folder);
 }
 
@@ -186,8 +245,7 @@ std::vector<StoredComparison> read_results(const fs::path& folder) {
   std::map<fs::path, std::vector<fs::path>> runs_of;  // by comparison
   for (const auto& entry : fs::recursive_directory_iterator(fs::canonical(folder))) {
     const fs::path run = entry.path().parent_path();
-    const bool draft = run.filename().string().starts_with(".");
-    if (entry.path().filename() == "run.json" && !draft) runs_of[run.parent_path()].push_back(run);
+    if (entry.path().filename() == "run.json" && holds_run(run)) runs_of[run.parent_path()].push_back(run);
   }
   if (runs_of.empty())
     throw Error(fmt::format("there are no runs below {}; make some with `relock run`", folder.string()));

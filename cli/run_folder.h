@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/run_record.h"
@@ -12,6 +13,7 @@ namespace relock {
 
 // Where results are:
 //   OUT/relock-results.json                       says that the folder is relock's
+//   OUT/.lock                                     held by the program that writes here
 //   OUT/RECORDING/recording/                      truth: recording.toml, timestamps.csv, labels.csv
 //   OUT/RECORDING/GAPS-PROTOCOL/METHOD/           one run: run.json, trajectory.csv, timing.csv;
 //                                                 `relock score` adds scores.json, events.csv, verdicts.csv
@@ -30,9 +32,22 @@ struct StoredComparison {
   std::vector<StoredRun> runs;  ///< by name; yardsticks last
 };
 
-/// Makes `out` ready: creates it, or checks that it is relock's. Throws Error when it belongs to something
-/// else or cannot be written.
-void prepare_results(const std::filesystem::path& out);
+/// Keeps other programs from writing into a results folder, for as long as it lives.
+class ResultsLock {
+ public:
+  /// Waits a little for another program; throws Error when it goes on.
+  explicit ResultsLock(const std::filesystem::path& out);
+  ~ResultsLock();
+  ResultsLock(ResultsLock&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
+  ResultsLock& operator=(ResultsLock&&) = delete;
+
+ private:
+  int file_ = -1;
+};
+
+/// Makes `out` ready and locks it: creates it, or checks that it is relock's, and removes what a program that
+/// was killed left half done. Throws Error when it belongs to something else or cannot be written.
+ResultsLock prepare_results(const std::filesystem::path& out);
 
 /// Writes OUT/RECORDING/recording, or checks that the one there is the same. Throws Error when it was made
 /// from another recording or other labels.
@@ -45,9 +60,15 @@ std::filesystem::path run_folder(const std::filesystem::path& out, const RunReco
 void check_comparison(const std::filesystem::path& run_folder, const RunRecord& record);
 /// Whether a complete run with the same inputs is there already.
 bool already_run(const std::filesystem::path& folder, const RunRecord& record);
-/// Writes a run, in the place of an older one.
-void store_run(const std::filesystem::path& folder, const RunRecord& record, const Recording& recording,
-               const Replay& replay);
+
+/// A run as it will be on disk.
+struct FinishedRun {
+  RunRecord record;
+  std::string trajectory;  ///< trajectory.csv
+  std::vector<FrameCost> costs;
+};
+/// Writes a run, in the place of an older one: whole or not at all.
+void store_run(const std::filesystem::path& folder, const FinishedRun& run);
 
 /// Finds and reads all runs below `folder`: a results folder or a part of one. Throws Error when there is
 /// none.

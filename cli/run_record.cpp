@@ -18,7 +18,9 @@ Json to_json(const std::vector<std::optional<FrameIndex>>& frames) {
   return all;
 }
 
-Json to_json(const Failure& failure) { return {{"frame", failure.frame}, {"what", failure.what}}; }
+Json to_json(const Failure& failure) {
+  return {{"frame", failure.frame}, {"what", failure.what}, {"output", failure.output}};
+}
 
 Json inputs_json(const RunRecord& r) {
   return {{"relock", r.relock_version},
@@ -57,7 +59,8 @@ std::vector<std::optional<FrameIndex>> frames_from(const Json& json) {
 }
 
 Failure failure_from(const Json& json) {
-  return {json.at("frame").get<FrameIndex>(), json.at("what").get<std::string>()};
+  return {json.at("frame").get<FrameIndex>(), json.at("what").get<std::string>(),
+          json.at("output").get<std::string>()};
 }
 
 RunRecord record_from(const Json& json) {
@@ -104,13 +107,17 @@ std::string to_json_text(const RunRecord& record) {
   return to_json(record).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-RunRecord read_record(const std::filesystem::path& path) {
+RunRecord parse_record(const std::string& text, const std::string& name) {
   try {
-    return record_from(Json::parse(read_file(path)));
+    return record_from(Json::parse(text));
   } catch (const std::exception& fault) {
-    throw Error(fmt::format("{} is no run.json of this relock ({}); remove its folder and run again",
-                            path.string(), fault.what()));
+    throw Error(fmt::format("{} is no run.json of this relock ({}); remove its folder and run again", name,
+                            fault.what()));
   }
+}
+
+RunRecord read_record(const std::filesystem::path& path) {
+  return parse_record(read_file(path), path.string());
 }
 
 }  // namespace relock

@@ -43,6 +43,8 @@ struct RunRecord {
 
 /// run.json, as text and back.
 std::string to_json_text(const RunRecord& record);
+/// `name` is what errors call the text. Throws Error when it is no run.json of this relock.
+RunRecord parse_record(const std::string& text, const std::string& name);
 /// Throws Error naming the file when it is no run.json of this relock.
 RunRecord read_record(const std::filesystem::path& path);
 

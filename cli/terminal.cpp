@@ -59,21 +59,24 @@ std::string right_aligned(std::string_view text, std::size_t columns) {
   return std::string(columns > used ? columns - used : 0, ' ') + std::string(text);
 }
 
-Progress::Progress(std::string what, std::int64_t total)
-    : what_(std::move(what)), total_(total), shown_(terminal(stderr).is_terminal) {}
-
-Progress::~Progress() {
+ProgressLine::~ProgressLine() {
   if (shown_ && drawn_ != Clock::time_point{}) fmt::print(stderr, "\r\x1b[K");
 }
 
-void Progress::done(std::int64_t steps) {
+void ProgressLine::show(std::string_view text) {
   const auto now = Clock::now();
-  if (!shown_ || now - drawn_ < kRedraw || steps <= 0) return;
+  if (!shown_ || now - drawn_ < kRedraw) return;
   drawn_ = now;
-  const double elapsed = std::chrono::duration<double>(now - begun_).count();
-  const double left = elapsed / static_cast<double>(steps) * static_cast<double>(total_ - steps);
-  fmt::print(stderr, "\r\x1b[K{}  {} of {}  {:.0f} s left", what_, steps, total_, left);
+  const auto room = static_cast<std::size_t>(std::max(10, width_of(stderr) - 1));
+  fmt::print(stderr, "\r\x1b[K{}", text.substr(0, room));
   std::fflush(stderr);
+}
+
+void Progress::done(std::int64_t steps) {
+  if (steps <= 0) return;
+  const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
+  const double left = elapsed / static_cast<double>(steps) * static_cast<double>(total_ - steps);
+  line_.show(fmt::format("{}  {} of {}  {:.0f} s left", what_, steps, total_, left));
 }
 
 }  // namespace relock

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -24,25 +25,36 @@ std::string padded(std::string_view text, std::size_t columns);
 /// Likewise on the left.
 std::string right_aligned(std::string_view text, std::size_t columns);
 
-/// A line on stderr that tells how far a long work is and how long it will take. It shows on a terminal only.
+/// A line on stderr that changes while a long work goes on. It shows on a terminal only.
+class ProgressLine {
+ public:
+  ProgressLine() : shown_(terminal(stderr).is_terminal) {}
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// Shows the text in place of the one before, some five times a second at most.
+  void show(std::string_view text);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool shown_;
+  Clock::time_point drawn_{};
+};
+
+/// A progress line that tells how far a work of known length is and how long it will take.
 class Progress {
  public:
   /// `what`: the work's name; `total`: its steps.
-  Progress(std::string what, std::int64_t total);
-  ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  Progress(std::string what, std::int64_t total) : what_(std::move(what)), total_(total) {}
 
   void done(std::int64_t steps);
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   std::string what_;
   std::int64_t total_;
-  bool shown_;
-  Clock::time_point begun_ = Clock::now();
-  Clock::time_point drawn_{};
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+  ProgressLine line_;
 };
 
 }  // namespace relock

@@ -12,19 +12,25 @@
 
 namespace relock {
 
+/// What is not given has the plan's defaults (cli/plan.h).
 struct RunArguments {
-  std::filesystem::path sequence =
-      "klahaag";  ///< a folder, or the name of a recording that relock comes with
+  std::optional<std::filesystem::path> plan;  ///< a plan file, in place of the next ten
+  std::optional<std::filesystem::path>
+      sequence;  ///< a path, or the name of a recording that relock comes with
   std::optional<std::filesystem::path> labels;
   std::optional<double> rate_hz;
   std::optional<std::string> format;  ///< else recognised
   std::optional<std::string> topic;   ///< ROS bags
-  std::string methods;
-  std::string protocol = "once";
-  std::string gaps = "none";
-  std::uint64_t seed = 1;
-  std::string gate = "centre";
-  std::filesystem::path out = "results";
+  std::optional<std::string> methods;
+  std::optional<std::string> protocol;
+  std::optional<std::string> gaps;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::string> gate;
+  std::optional<std::filesystem::path> out;
+  std::optional<double> frame_limit_s;
+  std::optional<double> memory_limit_mb;
+  int jobs = 1;
+  bool dry_run = false;
 };
 int run(const RunArguments& arguments, const Methods& methods);
 
@@ -56,6 +62,28 @@ struct ListArguments {
   bool json = false;
 };
 int list(const ListArguments& arguments, const Methods& methods);
+
+struct InspectArguments {
+  std::filesystem::path path;
+  std::optional<std::filesystem::path> labels;
+  std::optional<double> rate_hz;
+  std::optional<std::string> format;  ///< else recognised
+  std::optional<std::string> topic;   ///< ROS bags
+  bool no_pictures = false;
+  bool json = false;
+};
+int inspect(const InspectArguments& arguments);
+
+struct CheckArguments {
+  std::string methods;  ///< separated by commas; empty with `all`
+  bool all = false;
+  std::optional<std::string> only;  ///< one check
+  int frames = 10'000;
+  double budget_s = 60;
+  double silence_s = 30;
+  bool json = false;
+};
+int check(const CheckArguments& arguments, const Methods& methods);
 
 struct NewArguments {
   std::string kind;  ///< detector or tracker

@@ -10,10 +10,12 @@ macro(relock_find_library name variable)
   endif()
 endmacro()
 
-find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs video OPTIONAL_COMPONENTS tracking aruco objdetect)
+find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs video calib3d OPTIONAL_COMPONENTS tracking aruco objdetect)
 find_package(fmt REQUIRED)
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
+pkg_check_modules(LIBAV REQUIRED IMPORTED_TARGET libavformat libavcodec libavutil libswscale)
+pkg_check_modules(DLIB dlib-1)  # without it, `dlib` is listed and says what it needs
 relock_find_library(csv CSV_LIBRARY)
 relock_find_library(apriltag APRILTAG_LIBRARY)

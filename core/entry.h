@@ -41,6 +41,7 @@ struct TrackerEntry {
   std::vector<OptionInfo> options = {};
   bool deterministic = true;    ///< the same seed gives the same answers
   bool honours_expect = false;  ///< Tracker::expect changes what it does
+  std::string needs = {};       ///< what it cannot work without and relock does not bring; empty: it is ready
   /// A new tracker for one start.
   std::function<std::unique_ptr<Tracker>(const Options&, std::uint64_t seed)> make;
   std::optional<PluginFile> plugin = {};  ///< where it comes from; empty: built in

@@ -60,4 +60,10 @@ inline Box box_of(const cv::Rect& rect) {
   return {rect.x - 0.5, rect.y - 0.5, static_cast<double>(rect.width), static_cast<double>(rect.height)};
 }
 
+/// The same box without rounding: the pixels 10 to 29 are the rectangle {10, …, 20, …} and x 9.5 to 29.5.
+inline cv::Rect2d sub_pixel_rect(const Box& box) { return {box.x + 0.5, box.y + 0.5, box.width, box.height}; }
+inline Box sub_pixel_box(const cv::Rect2d& rect) {
+  return {rect.x - 0.5, rect.y - 0.5, rect.width, rect.height};
+}
+
 }  // namespace relock

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <new>
 
 #include "core/error.h"
 #include "core/outline_csv.h"
@@ -55,6 +56,19 @@ void check_sighting(const Sighting& sighting, const Recording& recording) {
   }
 }
 
+/// To be called in a handler: what the method threw, which may be no exception at all.
+std::string sentence_of_what_was_thrown() {
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    return "ran out of memory";
+  } catch (const std::exception& fault) {
+    return fault.what();
+  } catch (...) {
+    return "threw something that is no exception";
+  }
+}
+
 /// One replay: which targets are started when, and what was said.
 class Run {
  public:
@@ -67,16 +81,16 @@ class Run {
         restart_due_(recording.targets.size(), false) {
     Trajectory& trajectory = result_.trajectory;
     trajectory.reads_codes = options.reads_codes;
-    trajectory.judged_from.resize(targets());
+    trajectory.judged_from = judged_from(recording, options.protocol, method.takes_boxes(), options.asked);
     trajectory.failed_from.resize(targets());
-    for (std::size_t t = 0; t < targets(); ++t)
-      if (asked(t)) trajectory.judged_from[t] = first_judged(t);
   }
 
   void show(const Frame& frame) {
     FrameReport report;
+    report.given = due_starts(frame.index);
+    if (options_.asking) options_.asking(frame.index, report.given);
     Stopwatch watch;
-    start_what_is_due(frame, report);
+    start(frame, report.given);
     ask(frame, report);
     result_.costs.push_back(watch.cost(frame.index));
     add(std::move(report));
@@ -91,13 +105,6 @@ class Run {
   bool asked(std::size_t t) const { return options_.asked.empty() || options_.asked[t]; }
   bool hands_boxes() const { return options_.protocol != Protocol::detect && method_.takes_boxes(); }
 
-  /// The start frame is left out for methods that are handed no box, too: they are judged from the next one.
-  std::optional<FrameIndex> first_judged(std::size_t t) const {
-    if (options_.protocol == Protocol::detect) return 0;
-    if (!starts_[t]) return {};
-    return hands_boxes() ? *starts_[t] : *starts_[t] + 1;
-  }
-
   bool start_is_due(std::size_t t, FrameIndex frame) const {
     if (!asked(t) || failed(t) || !starts_[t]) return false;
     if (frame == *starts_[t]) return true;
@@ -105,17 +112,21 @@ class Run {
            startable(recording_, static_cast<std::size_t>(frame), t);
   }
 
-  void start_what_is_due(const Frame& frame, FrameReport& report) {
-    if (!hands_boxes()) return;
-    for (std::size_t t = 0; t < targets(); ++t) {
-      if (!start_is_due(t, frame.index)) continue;
-      report.given.push_back(t);
+  std::vector<std::size_t> due_starts(FrameIndex frame) const {
+    std::vector<std::size_t> due;
+    for (std::size_t t = 0; hands_boxes() && t < targets(); ++t)
+      if (start_is_due(t, frame)) due.push_back(t);
+    return due;
+  }
+
+  void start(const Frame& frame, const std::vector<std::size_t>& due) {
+    for (const std::size_t t : due) {
       restart_due_[t] = false;
       const auto& truth = recording_.truth_of(static_cast<std::size_t>(frame.index), t);
       try {
         method_.start(frame, recording_.targets[t], bounds(*truth.outline));
-      } catch (const std::exception& fault) {
-        fail(t, frame.index, fault.what());
+      } catch (...) {
+        fail(t, frame.index, sentence_of_what_was_thrown());
       }
     }
   }
@@ -128,9 +139,9 @@ class Run {
       // As the file will have them, so that replay and scoring judge the same numbers.
       for (Sighting& sighting : said) sighting = as_stored(std::move(sighting));
       report.sightings = std::move(said);
-    } catch (const std::exception& fault) {
+    } catch (...) {
       for (std::size_t t = 0; t < targets(); ++t) mark_failed(t, frame.index);
-      result_.failures.push_back({frame.index, fault.what()});
+      result_.failures.push_back({frame.index, sentence_of_what_was_thrown()});
     }
   }
 
@@ -162,7 +173,7 @@ class Run {
       }
     }
     trajectory.frames.push_back(std::move(report));
-    if (options_.progress) options_.progress(static_cast<FrameIndex>(frame));
+    if (options_.reported) options_.reported(result_);
   }
 
   Method& method_;
@@ -201,6 +212,30 @@ std::vector<std::optional<FrameIndex>> first_startable(const Recording& recordin
     for (std::size_t frame = 0; frame < recording.frames() && !first[t]; ++frame)
       if (startable(recording, frame, t)) first[t] = static_cast<FrameIndex>(frame);
   return first;
+}
+
+std::vector<std::optional<FrameIndex>> judged_from(const Recording& recording, Protocol protocol,
+                                                   bool takes_boxes, const std::vector<bool>& asked) {
+  auto from = first_startable(recording);
+  for (std::size_t t = 0; t < from.size(); ++t) {
+    if (protocol == Protocol::detect) from[t] = 0;
+    // The start frame is left out for methods that are handed no box, too: they are judged from the next one.
+    else if (from[t] && !takes_boxes)
+      ++*from[t];
+    if (!asked.empty() && !asked[t]) from[t].reset();
+  }
+  return from;
+}
+
+void fail_from(Trajectory& trajectory, FrameIndex frame, const std::vector<std::size_t>& given,
+               const Schedule& schedule) {
+  for (std::size_t i = trajectory.frames.size(); i < schedule.frames(); ++i)
+    trajectory.frames.push_back(
+        {.delivery = schedule.delivered(i) ? Delivery::delivered : Delivery::dropped});
+  trajectory.frames.at(static_cast<std::size_t>(frame)).given = given;
+  for (auto& failed : trajectory.failed_from) {
+    if (!failed) failed = frame;
+  }
 }
 
 Replay replay(Method& method, FrameSource& source, const Recording& recording, const Schedule& schedule,

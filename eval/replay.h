@@ -36,10 +36,11 @@ struct FrameCost {
   Duration cpu{0};  ///< of the whole process
 };
 
-/// A method that threw, and where.
+/// A method that threw, crashed or gave no answer in time, and where.
 struct Failure {
   FrameIndex frame = 0;
   std::string what;
+  std::string output = {};  ///< the last of what it wrote to stdout and stderr, where that was kept
 };
 
 struct Replay {
@@ -52,11 +53,24 @@ struct Replay {
 
 struct ReplayOptions {
   Protocol protocol = Protocol::once;
-  Gate gate;                                 ///< by which `reset` judges losses
-  bool reads_codes = false;                  ///< as the method's registry entry declares
-  std::vector<bool> asked;                   ///< targets that the method is asked about; empty: all
-  std::function<void(FrameIndex)> progress;  ///< called after every recorded frame, if given
+  Gate gate;                 ///< by which `reset` judges losses
+  bool reads_codes = false;  ///< as the method's registry entry declares
+  std::vector<bool> asked;   ///< targets that the method is asked about; empty: all
+  /// Called before a frame is shown, with the targets whose box is handed over in it; if given.
+  std::function<void(FrameIndex, const std::vector<std::size_t>& given)> asking;
+  /// Called after every recorded frame with all that was said up to it, if given.
+  std::function<void(const Replay& so_far)> reported;
 };
+
+/// For each target the first frame on which a method is judged (Trajectory::judged_from): `takes_boxes` as
+/// Method has it; `asked` as ReplayOptions has it.
+std::vector<std::optional<FrameIndex>> judged_from(const Recording& recording, Protocol protocol,
+                                                   bool takes_boxes, const std::vector<bool>& asked);
+
+/// Completes a trajectory whose method took its process down, or was stopped, while it was asked about
+/// `frame`: it has failed for good from there on. `given`: targets whose box it was handed in that frame.
+void fail_from(Trajectory& trajectory, FrameIndex frame, const std::vector<std::size_t>& given,
+               const Schedule& schedule);
 
 /// Shows the delivered frames to the method in order and writes down what it says. A method that throws is
 /// scored as failed from there on, never left out; a source that throws cuts the replay short.

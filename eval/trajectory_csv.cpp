@@ -21,17 +21,12 @@ const std::vector<std::string> kPlainColumns{"frame",      "captured_ns",       
                                              "confidence", "blur_direction_rad", "blur_length_px"};
 const std::vector<std::string> kColumns = with_outline_columns(kPlainColumns);
 
-class TrajectoryWriter {
+class ReportWriter {
  public:
-  TrajectoryWriter(std::ostream& out, const Recording& recording, const Trajectory& trajectory)
-      : out_(out), recording_(recording), trajectory_(trajectory) {}
+  /// Appends to `line`.
+  ReportWriter(std::string& line, const Recording& recording, const Trajectory& trajectory)
+      : line_(line), recording_(recording), trajectory_(trajectory) {}
 
-  void write() {
-    out_ << fmt::format("{}\n", fmt::join(kColumns, ","));
-    for (std::size_t frame = 0; frame < trajectory_.frames.size(); ++frame) write(frame);
-  }
-
- private:
   void write(std::size_t frame) {
     const FrameReport& report = trajectory_.frames[frame];
     if (report.delivery != Delivery::delivered) {
@@ -43,6 +38,7 @@ class TrajectoryWriter {
     if (report.given.empty() && report.sightings.empty()) plain(frame, failed(frame) ? "failed" : "nothing");
   }
 
+ private:
   /// No target is asked about any more.
   bool failed(std::size_t frame) const {
     for (std::size_t t = 0; t < recording_.targets.size(); ++t) {
@@ -53,12 +49,10 @@ class TrajectoryWriter {
   }
 
   void begin(std::size_t frame, std::string_view report, std::string_view track) {
-    line_ = fmt::format("{},{},{},{}", frame, ns(recording_.captured[frame]), report, csv_cell(track));
+    fmt::format_to(std::back_inserter(line_), "{},{},{},{}", frame, ns(recording_.captured[frame]), report,
+                   csv_cell(track));
   }
-  void end() {
-    line_ += '\n';
-    out_ << line_;
-  }
+  void end() { line_ += '\n'; }
   void empty_cells(std::size_t count) { line_.append(count, ','); }
   void cell(double value) { fmt::format_to(std::back_inserter(line_), ",{:.{}f}", value, kDecimals); }
 
@@ -93,10 +87,9 @@ class TrajectoryWriter {
     end();
   }
 
-  std::ostream& out_;
+  std::string& line_;
   const Recording& recording_;
   const Trajectory& trajectory_;
-  std::string line_;
 };
 
 class TrajectoryReader {
@@ -213,7 +206,20 @@ Sighting as_stored(Sighting sighting) {
 }
 
 void write_trajectory(std::ostream& out, const Recording& recording, const Trajectory& trajectory) {
-  TrajectoryWriter(out, recording, trajectory).write();
+  out << trajectory_header();
+  std::string rows;
+  for (std::size_t frame = 0; frame < trajectory.frames.size(); ++frame) {
+    rows.clear();
+    append_report(rows, recording, trajectory, frame);
+    out << rows;
+  }
+}
+
+std::string trajectory_header() { return fmt::format("{}\n", fmt::join(kColumns, ",")); }
+
+void append_report(std::string& text, const Recording& recording, const Trajectory& trajectory,
+                   std::size_t frame) {
+  ReportWriter(text, recording, trajectory).write(frame);
 }
 
 void read_trajectory(std::istream& in, const std::string& file, const Recording& recording,

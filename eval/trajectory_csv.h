@@ -27,6 +27,11 @@ Sighting as_stored(Sighting sighting);
 /// `recording` names the targets and gives the times.
 void write_trajectory(std::ostream& out, const Recording& recording, const Trajectory& trajectory);
 
+/// The same piece by piece: the header line, then the rows of `trajectory.frames[frame]` for each frame.
+std::string trajectory_header();
+void append_report(std::string& text, const Recording& recording, const Trajectory& trajectory,
+                   std::size_t frame);
+
 /// Reads the frames back; `judged_from`, `failed_from` and `reads_codes` are in run.json and left as they
 /// are. A trajectory that was cut short has fewer frames than the recording. Throws Error with file and line
 /// on a frame out of order, a time that is not the recording's, an unknown target or report, a number that is

@@ -2,60 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 
 #include "core/error.h"
-#include "core/nearest.h"
+#include "core/toml_table.h"
 
 namespace relock {
 namespace {
 
-/// One table of the file, read key by key; what is left over is a mistake.
-class Table {
- public:
-  Table(const toml::table& table, std::string file, std::vector<std::string> known)
-      : table_(table), file_(std::move(file)), known_(std::move(known)) {
-    for (const auto& [key, node] : table_) {
-      const std::string name(key.str());
-      if (std::find(known_.begin(), known_.end(), name) == known_.end())
-        fail(node, fmt::format("no key is called \"{}\"{}", name, did_you_mean(name, known_)));
-    }
-  }
-
-  template <class T>
-  std::optional<T> value(std::string_view key, std::string_view kind) const {
-    const toml::node* node = table_.get(key);
-    if (!node) return {};
-    if (const auto found = node->value<T>()) return found;
-    fail(*node, fmt::format("{} must be {}", key, kind));
-  }
-
-  std::optional<std::string> word(std::string_view key) const { return value<std::string>(key, "a text"); }
-
-  std::optional<double> positive(std::string_view key, double least = 1e-9, double most = 1e9) const {
-    const auto found = value<double>(key, "a number above 0");
-    if (found && !(*found >= least && *found <= most))
-      fail(*table_.get(key), fmt::format("{} must be from {} to {}", key, least, most));
-    return found;
-  }
-
-  const toml::node* node(std::string_view key) const { return table_.get(key); }
-
-  [[noreturn]] void fail(const toml::node& node, std::string_view sentence) const {
-    const auto begin = node.source().begin;
-    throw Error(fmt::format("{}:{}:{}: {}", file_, begin.line, begin.column, sentence));
-  }
-
- private:
-  const toml::table& table_;
-  std::string file_;
-  std::vector<std::string> known_;
-};
-
 Description::LabelledTarget read_target(const toml::table& table, const std::string& file) {
-  const Table entry(table, file, {"id", "code", "size_m", "sigma_px"});
+  const TomlTable entry(table, file, {"id", "code", "size_m", "sigma_px"});
   Description::LabelledTarget read;
   const auto id = entry.word("id");
   if (!id) entry.fail(table, "this target has no id");
@@ -72,7 +28,7 @@ Description::LabelledTarget read_target(const toml::table& table, const std::str
   return read;
 }
 
-void read_targets(const Table& root, const std::string& file, Description& description) {
+void read_targets(const TomlTable& root, const std::string& file, Description& description) {
   const toml::node* node = root.node("target");
   if (!node) return;
   const toml::array* tables = node->as_array();
@@ -90,22 +46,24 @@ void read_targets(const Table& root, const std::string& file, Description& descr
 
 }  // namespace
 
-Description read_description(const std::filesystem::path& folder) {
-  Description description;
+std::string folder_name(const std::filesystem::path& folder) {
   const auto canonical = std::filesystem::weakly_canonical(folder);
-  description.name = (canonical.has_filename() ? canonical : canonical.parent_path()).filename().string();
-  const auto path = folder / "recording.toml";
+  return (canonical.has_filename() ? canonical : canonical.parent_path()).filename().string();
+}
+
+Description read_description(const std::filesystem::path& folder) {
+  return read_description(folder / "recording.toml", folder_name(folder));
+}
+
+Description read_description(const std::filesystem::path& path, const std::string& called) {
+  Description description;
+  description.name = called;
   if (!std::filesystem::exists(path)) return description;
 
   const std::string file = path.string();
-  toml::table parsed;
-  try {
-    parsed = toml::parse_file(file);
-  } catch (const toml::parse_error& fault) {
-    const auto begin = fault.source().begin;
-    throw Error(fmt::format("{}:{}:{}: {}", file, begin.line, begin.column, fault.description()));
-  }
-  const Table root(parsed, file, {"name", "rate_hz", "period_ns", "width", "height", "sigma_px", "target"});
+  const toml::table parsed = parse_toml(path);
+  const TomlTable root(parsed, file,
+                       {"name", "rate_hz", "period_ns", "width", "height", "sigma_px", "target"});
   if (const auto name = root.word("name")) description.name = *name;
   description.rate_hz = root.positive("rate_hz", kLeastRate_hz, kMostRate_hz);
   if (description.rate_hz) description.period = period_of(*description.rate_hz);

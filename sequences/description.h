@@ -39,5 +39,10 @@ struct Description {
 /// Reads FOLDER/recording.toml; without one, only the name is filled in.
 /// Throws Error with file, line and column for a key that is unknown or of another type.
 Description read_description(const std::filesystem::path& folder);
+/// Reads FILE for a recording that is called `name` if the file does not say; there need not be such a file.
+Description read_description(const std::filesystem::path& file, const std::string& name);
+
+/// The folder's own name, however the path to it is written.
+std::string folder_name(const std::filesystem::path& folder);
 
 }  // namespace relock

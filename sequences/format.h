@@ -18,9 +18,10 @@ namespace relock {
 /// What a format's reader finds at a path: all that is particular to the format. `open_sequence` makes the
 /// rest of it: period, labels.csv in place of the format's own labels, fingerprint.
 struct FoundRecording {
-  Description description;                  ///< of recording.toml beside it, the name filled in at least
-  std::filesystem::path labels;             ///< where labels.csv is, if there is one
-  std::vector<std::filesystem::path> data;  ///< the files that pictures come from, sorted: a run depends on them
+  Description description;       ///< of recording.toml beside it, the name filled in at least
+  std::filesystem::path labels;  ///< where labels.csv is, if there is one
+  std::vector<std::filesystem::path>
+      data;  ///< the files that pictures come from, sorted: a run depends on them
   TimesFrom times_from = TimesFrom::recorded;
   /// The format's own labels: fills targets and truth of a recording whose frames, picture and name are
   /// there. Empty: the format has none, or this recording has none.

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
-#include <opencv2/imgcodecs.hpp>
 
 #include "core/error.h"
 #include "core/opencv.h"
+#include "sequences/encoded_picture.h"
 #include "sequences/timestamps.h"
 
 namespace relock {
@@ -91,31 +91,14 @@ class Pictures final : public FrameSource {
       throw Error(fmt::format("{}: this picture cannot be opened", name));
     bytes_.resize(static_cast<std::size_t>(in.tellg()));
     in.seekg(0).read(reinterpret_cast<char*>(bytes_.data()), static_cast<std::streamsize>(bytes_.size()));
-    if (!in || bytes_.empty() || cut_off_jpeg())
-      throw Error(fmt::format("{}: this picture is cut off after {} bytes", name, bytes_.size()));
+    if (!in) throw Error(fmt::format("{}: this picture cannot be read to its end", name));
     decoded_index_ = static_cast<std::size_t>(-1);
-    if (!decoded()) throw Error(fmt::format("{}: this is no picture that can be read", name));
-    decoded_index_ = index;
-  }
-
-  /// Decodes `bytes_`. Into a new buffer: into one that it may reuse, OpenCV answers a picture that it cannot
-  /// decode with what was in there before.
-  bool decoded() {
     try {
-      decoded_ = cv::imdecode(bytes_, cv::IMREAD_ANYCOLOR);
-    } catch (const cv::Exception&) {
-      decoded_.release();
+      decoded_ = decode_picture(bytes_);
+    } catch (const Error& fault) {
+      throw Error(fmt::format("{}: {}", name, fault.what()));
     }
-    return !decoded_.empty();
-  }
-
-  /// libjpeg fills what is missing with grey and says nothing that can be asked: the end marker tells.
-  bool cut_off_jpeg() const {
-    if (bytes_.size() < 4 || bytes_[0] != 0xFF || bytes_[1] != 0xD8) return false;
-    const std::size_t tail = std::min<std::size_t>(bytes_.size(), 1024);  // cameras pad behind the marker
-    for (std::size_t i = bytes_.size() - tail; i + 1 < bytes_.size(); ++i)
-      if (bytes_[i] == 0xFF && bytes_[i + 1] == 0xD9) return false;
-    return true;
+    decoded_index_ = index;
   }
 
   std::vector<fs::path> pictures_;
@@ -163,6 +146,47 @@ std::unique_ptr<FrameSource> open_pictures(std::vector<fs::path> pictures, std::
 
 bool recognises_image_folder(const fs::path& path) { return fs::is_directory(path); }
 
+TimedPictures timed_pictures(const fs::path& folder, std::vector<fs::path> pictures, const fs::path& sidecars,
+                             const Description& description, const OpenOptions& options,
+                             const OwnTimes& own) {
+  TimedPictures timed{std::move(pictures), own.captured};
+  if (const auto path = sidecars / "timestamps.csv"; fs::exists(path)) {
+    auto stamps = read_timestamps(path);
+    if (!stamps.files.empty()) timed.pictures = named_pictures(folder, stamps.files);
+    if (stamps.captured.size() != timed.pictures.size())
+      throw Error(fmt::format("{}: there are {} times for {} pictures in {}", path.string(),
+                              stamps.captured.size(), timed.pictures.size(), folder.string()));
+    timed.captured = std::move(stamps.captured);
+  }
+  if (timed.pictures.empty()) throw Error(fmt::format("{} holds no pictures", folder.string()));
+  if (!timed.captured.empty()) return timed;
+  timed.times_from = TimesFrom::stated_rate;
+  const auto rate = options.rate_hz ? options.rate_hz : description.rate_hz;
+  if (!rate && description.period) {
+    timed.captured = steady_times(timed.pictures.size(), *description.period);
+  } else if (rate || own.stated_rate_hz) {
+    timed.captured = steady_times(timed.pictures.size(), rate ? *rate : *own.stated_rate_hz);
+  } else if (own.assumed_rate_hz) {
+    timed.times_from = TimesFrom::assumed_rate;
+    timed.captured = steady_times(timed.pictures.size(), *own.assumed_rate_hz);
+  } else {
+    throw Error(
+        fmt::format("{} says nothing of time: add timestamps.csv, or rate_hz to recording.toml, or "
+                    "--rate",
+                    sidecars.string()));
+  }
+  return timed;
+}
+
+void show(TimedPictures timed, FoundRecording& found) {
+  found.times_from = timed.times_from;
+  found.data = timed.pictures;
+  std::sort(found.data.begin(), found.data.end());
+  found.frames = [pictures = std::move(timed.pictures), captured = std::move(timed.captured)] {
+    return open_pictures(pictures, captured);
+  };
+}
+
 FoundRecording find_image_folder(const fs::path& folder, const OpenOptions& options) {
   if (!fs::is_directory(folder))
     throw Error(fmt::format("{} is no folder; a recording is a folder of pictures", folder.string()));
@@ -170,32 +194,7 @@ FoundRecording find_image_folder(const fs::path& folder, const OpenOptions& opti
   found.description = read_description(folder);
   found.labels = folder / "labels.csv";
   const fs::path images = fs::is_directory(folder / "images") ? folder / "images" : folder;
-  auto pictures = pictures_in(images);
-  std::vector<Time> captured;
-  if (const auto path = folder / "timestamps.csv"; fs::exists(path)) {
-    auto stamps = read_timestamps(path);
-    if (!stamps.files.empty()) pictures = named_pictures(images, stamps.files);
-    if (stamps.captured.size() != pictures.size())
-      throw Error(fmt::format("{}: there are {} times for {} pictures in {}", path.string(),
-                              stamps.captured.size(), pictures.size(), images.string()));
-    captured = std::move(stamps.captured);
-  } else {
-    found.times_from = TimesFrom::stated_rate;
-    if (const auto rate = options.rate_hz ? options.rate_hz : found.description.rate_hz) {
-      captured = steady_times(pictures.size(), *rate);
-    } else if (found.description.period) {
-      captured = steady_times(pictures.size(), *found.description.period);
-    }
-  }
-  if (pictures.empty()) throw Error(fmt::format("{} holds no pictures", images.string()));
-  if (captured.empty())
-    throw Error(
-        fmt::format("{} says nothing of time: add timestamps.csv, or rate_hz to recording.toml, or "
-                    "--rate",
-                    folder.string()));
-  found.data = pictures;
-  std::sort(found.data.begin(), found.data.end());
-  found.frames = [pictures, captured] { return open_pictures(pictures, captured); };
+  show(timed_pictures(images, pictures_in(images), folder, found.description, options, {}), found);
   return found;
 }
 

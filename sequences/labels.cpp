@@ -20,6 +20,12 @@ const std::vector<std::string> kPlainColumns{
     "blur_x", "blur_y", "tilt_deg", "sigma_px"};
 const std::vector<std::string> kColumns = with_outline_columns(kPlainColumns);
 
+/// Of a quad: where its diagonals meet.
+std::optional<Vec2> projected_centre(const Outline& outline) {
+  if (const auto* quad = std::get_if<Quad>(&outline)) return diagonals_meet(*quad);
+  return {};
+}
+
 /// One labels file being read.
 class LabelReader {
  public:
@@ -86,9 +92,7 @@ class LabelReader {
     TargetTruth truth;
     truth.outline = outlines_.read(rows_);
     truth.centre_projected = read_vector(projected_x_, projected_y_);
-    if (!truth.centre_projected && truth.outline)
-      if (const auto* quad = std::get_if<Quad>(&*truth.outline))
-        truth.centre_projected = diagonals_meet(*quad);
+    if (!truth.centre_projected && truth.outline) truth.centre_projected = projected_centre(*truth.outline);
     truth.occluded_fraction = read_fraction(occluded_fraction_).value_or(0);
     const double inside = truth.outline ? share_inside(*truth.outline, picture_box(recording_.picture)) : 0;
     truth.visible_fraction =
@@ -117,9 +121,7 @@ class LabelReader {
       if (truth.outline) rows_.fail(outside(*truth.outline));
       rows_.fail("this row says nothing: give an outline, a label or a visible_fraction");
     }
-    if (truth.visible_fraction <= limits_.absent) return Label::absent;
-    if (truth.visible_fraction >= limits_.visible) return Label::visible;
-    return Label::unlabelled;
+    return label_of(truth.visible_fraction, limits_);
   }
 
   std::string outside(const Outline& outline) const {
@@ -181,6 +183,21 @@ void append(std::string& line, const std::optional<Vec2>& value) {
 }
 
 }  // namespace
+
+Label label_of(double visible_fraction, const LabelLimits& limits) {
+  if (visible_fraction <= limits.absent) return Label::absent;
+  return visible_fraction >= limits.visible ? Label::visible : Label::unlabelled;
+}
+
+TargetTruth truth_of_outline(const Outline& outline, Size picture, const LabelLimits& limits) {
+  TargetTruth truth;
+  truth.visible_fraction = share_inside(outline, picture_box(picture));
+  truth.label = truth.visible_fraction > 0 ? label_of(truth.visible_fraction, limits) : Label::absent;
+  if (truth.visible_fraction == 0) return truth;
+  truth.outline = outline;
+  truth.centre_projected = projected_centre(outline);
+  return truth;
+}
 
 void read_labels(std::istream& in, const std::string& file, const Description& description,
                  const LabelLimits& limits, Recording& recording) {

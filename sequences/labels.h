@@ -28,6 +28,13 @@ struct LabelLimits {
   double absent = 0.0;   ///< at most this much: absent; in between: unlabelled
 };
 
+/// What a visible part of the outline makes of a target.
+Label label_of(double visible_fraction, const LabelLimits& limits);
+
+/// The truth that an outline alone tells, for label files that say no more: visible is what lies in the
+/// picture, and the label follows from it. Outside the picture altogether: absent, without an outline.
+TargetTruth truth_of_outline(const Outline& outline, Size picture, const LabelLimits& limits);
+
 /// Reads labels into `recording`, whose frames, picture and name are already there: fills targets and truth.
 /// Throws Error with file and line on a frame that does not exist, an unknown column or target, a target
 /// labelled twice, an outline outside the picture that is called visible.

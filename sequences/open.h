@@ -29,7 +29,7 @@ struct Sequence {
   bool period_stated = false;  ///< the period was stated, not found from the capture times
   std::string format;          ///< its name, sequences/format.h
   TimesFrom times_from = TimesFrom::recorded;
-  std::string fingerprint;     ///< of pictures, times and labels: the same inputs, the same text
+  std::string fingerprint;  ///< of pictures, times and labels: the same inputs, the same text
   std::function<std::unique_ptr<FrameSource>()> frames;  ///< a new pass from the first frame
 };
 

@@ -8,9 +8,8 @@
 
 namespace relock {
 
-// OpenCV's own trackers behind one adapter. All of them work on whole pixels: the box is rounded when it is
-// handed over and when it comes back. Each start takes a new object, of ours and of OpenCV's. Faults of the
-// library become an Error; after one, the object takes no more frames.
+// OpenCV's own trackers, with the promises of trackers/checked_tracker.h. All of them work on whole pixels:
+// the box is rounded when it is handed over and when it comes back.
 
 /// Kernelized correlation filter (Henriques et al. 2015). It does not change the size of the box.
 struct KcfOptions {

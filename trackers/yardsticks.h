@@ -9,7 +9,7 @@
 namespace relock {
 
 // Yardsticks say how hard a recording is: a tracker that does not beat them has shown nothing. They are
-// deterministic, take any box that is one, and throw for no picture.
+// deterministic, take any box that touches the picture, and throw for no picture but an empty one.
 
 /// Says the start box for ever.
 std::unique_ptr<Tracker> still_tracker();

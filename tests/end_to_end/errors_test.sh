@@ -23,6 +23,10 @@ refused "no such recording" "nowhere does not exist" run --sequence nowhere --me
 refused "no such method" 'no method is called "crst" (did you mean "csrt"?)' run --sequence $clip --methods crst
 refused "no such option" 'kcf has no option "detect_tresh" (did you mean "detect_thresh"?)' run --sequence $clip --methods 'kcf(detect_tresh=1)'
 refused "an option out of range" 'kcf: option detect_thresh is "7"; it must be a number from' run --sequence $clip --methods 'kcf(detect_thresh=7)'
+refused "a network without its file" "goturn: option model is not given" run --sequence $clip --methods goturn
+refused "a network's file that does not exist" "option model is nowhere.onnx, which does not exist" run --sequence $clip --methods 'dasiamrpn(model=nowhere.onnx)'
+refused "a file that is no network" "README.md is no network that OpenCV" run --sequence $clip --methods 'dasiamrpn(model=README.md,kernel_cls1=README.md,kernel_r1=README.md)'
+refused "a network that is too new or has no file" "vit" run --sequence $clip --methods vit
 refused "no such verb" 'there is no verb "tmeline" (did you mean "timeline"?)' "$relock" tmeline
 refused "no such protocol" 'no protocol is called "twice"' run --sequence $clip --methods kcf --protocol twice
 refused "a tracker without a start" "kcf needs a box to start from" run --sequence $clip --methods kcf --protocol detect

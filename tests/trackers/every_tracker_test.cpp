@@ -24,12 +24,21 @@ const Registry<TrackerEntry>& registry() {
   return all;
 }
 
+/// Those that can be tried here; a network without its files, or what a library lacks, cannot.
+std::vector<TrackerEntry> ready() {
+  std::vector<TrackerEntry> all;
+  for (const TrackerEntry& entry : registry().entries())
+    if (entry.needs.empty()) all.push_back(entry);
+  return all;
+}
+
 class EveryTracker : public testing::TestWithParam<TrackerEntry> {
  protected:
   static std::unique_ptr<Tracker> make() {
     const TrackerEntry& entry = GetParam();
     auto given = std::map<std::string, std::string>{};
     if (entry.name == "csrt") given["number_of_scales"] = "9";  // faster
+    if (entry.name == "boosting") given = {{"first_iterations", "5"}, {"classifiers", "20"}};
     return entry.make(Options(entry.name, entry.options, given), 1);
   }
   static std::unique_ptr<Tracker> started(const cv::Mat& pixels) {
@@ -128,12 +137,36 @@ TEST_P(EveryTracker, IsNotDisturbedByAnotherOneAtWork) {
   EXPECT_EQ(alone, beside);
 }
 
-TEST_P(EveryTracker, HasASentenceForItselfAndForEveryOption) {
-  EXPECT_FALSE(GetParam().sentence.empty());
-  for (const OptionInfo& option : GetParam().options) EXPECT_FALSE(option.sentence.empty()) << option.name;
+TEST_P(EveryTracker, RefusesPicturesThatAreEmpty) {
+  if (GetParam().name == "still" || GetParam().name == "linear") GTEST_SKIP() << "it takes no notice";
+  const cv::Mat picture = patch_at(kStart);
+  EXPECT_THROW(make()->start(Frame{}, patch_box(kStart)), Error);
+  auto tracker = started(picture);
+  EXPECT_THROW(tracker->track(Frame{}), Error);
+  EXPECT_TRUE(tracker->track(frame_of(picture, 2)));  // and goes on with the next
 }
 
-INSTANTIATE_TEST_SUITE_P(Trackers, EveryTracker, testing::ValuesIn(registry().entries()),
+TEST_P(EveryTracker, TakesAnyHint) {
+  const cv::Mat picture = patch_at(kStart);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Box prior : {patch_box(kStart), Box{nan, 0, 1, 1}, Box{0, 0, 0, 0}, Box{-1e9, 1e9, 1e-9, 1e9}}) {
+    auto tracker = make();
+    EXPECT_NO_THROW(tracker->expect(prior, 1));
+    tracker->start(frame_of(picture, 0), patch_box(kStart));
+    EXPECT_NO_THROW(tracker->expect(prior, nan));
+    EXPECT_NO_THROW(tracker->track(frame_of(picture, 1)));
+  }
+}
+
+TEST(BuiltinTrackers, HaveASentenceForThemselvesAndForEveryOption) {
+  for (const TrackerEntry& entry : registry().entries()) {
+    EXPECT_FALSE(entry.sentence.empty()) << entry.name;
+    for (const OptionInfo& option : entry.options)
+      EXPECT_FALSE(option.sentence.empty()) << entry.name << ", " << option.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Trackers, EveryTracker, testing::ValuesIn(ready()),
                          [](const auto& instance) { return instance.param.name; });
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/error.h"
 #include "tests/trackers/moving_patch.h"
 
 namespace relock {
@@ -79,21 +80,31 @@ TEST(LinearTracker, StandsStillWhenThePatchIsNowhereToBeFound) {
     EXPECT_EQ(centre(tracker->track(frame_of(black, i))), centre_of(patch_box(kStart)));
 }
 
-TEST(LinearTracker, ThrowsForNoPictureAndNoTime) {
+TEST(LinearTracker, ThrowsForNoOddPictureAndNoOddTime) {
   const cv::Mat first = patch_at(kStart);
   cv::Mat gray;
   cv::cvtColor(first, gray, cv::COLOR_BGR2GRAY);
   const cv::Mat odd[] = {cv::Mat3b(4, 4, cv::Vec3b::all(3)), cv::Mat3b(500, 30, cv::Vec3b::all(3)), gray,
                          cv::Mat1b(1, 1, std::uint8_t{0})};
-  for (const Box box : {patch_box(kStart), Box{-1e6, 3, 10, 10}, Box{0, 0, 1, 1}, Box{-50, -50, 1e6, 1e6}}) {
+  for (const Box box : {patch_box(kStart), Box{0, 0, 1, 1}, Box{-50, -50, 1e6, 1e6}}) {
     const auto tracker = linear_tracker({.frames = 100});
     tracker->start(frame_of(first, 5), box);
-    EXPECT_NO_THROW(tracker->track(Frame{}));
     for (const cv::Mat& picture : odd)
       for (const FrameIndex index : {5, 4, 6, 1'000'000})
         EXPECT_NO_THROW(tracker->track(frame_of(picture, index)));
   }
-  EXPECT_NO_THROW(linear_tracker({})->start(Frame{}, patch_box(kStart)));
+}
+
+TEST(Yardsticks, RefuseAnEmptyPictureAndABoxOutsideOfIt) {
+  const cv::Mat first = patch_at(kStart);
+  for (const bool is_still : {true, false}) {
+    const auto make = [&] { return is_still ? still_tracker() : linear_tracker({}); };
+    EXPECT_THROW(make()->start(Frame{}, patch_box(kStart)), Error);
+    EXPECT_THROW(make()->start(frame_of(first, 0), {-1e6, 3, 10, 10}), Error);
+    const auto tracker = make();
+    tracker->start(frame_of(first, 0), patch_box(kStart));
+    EXPECT_THROW(tracker->track(Frame{}), Error);
+  }
 }
 
 }  // namespace

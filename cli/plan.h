@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/method_spec.h"
+#include "eval/replay.h"
+#include "sequences/open.h"
+
+namespace relock {
+
+/// A recording that a plan names, and how to open it.
+struct PlannedSequence {
+  std::filesystem::path path;
+  OpenOptions open = {};
+};
+
+/// What a run may take before it counts as failed.
+struct RunLimits {
+  double frame_s = 60;      ///< to answer about one frame, starts and decoding included, s
+  double memory_mb = 4096;  ///< to allocate beyond what the program has when the run begins, MB
+};
+
+/// What is to be run: every method on every sequence, with every gap pattern, by every protocol, with every
+/// seed. As a file (TOML; paths are relative to it):
+///
+///     sequences = ["flights/a", "flights/b.mp4"]      # or tables, for more than the path:
+///     # [[sequence]]
+///     # path = "flights/a"
+///     # labels = "labels/a.csv"                       # likewise rate_hz, format, topic
+///     methods = ["kcf", "csrt(psr_threshold=0.05)"]
+///     gaps = ["none", "paper", "bernoulli(0.1)"]      # else as recorded
+///     protocols = ["once", "reset"]                   # else once
+///     seeds = [1, 2, 3]                               # else 1
+///     gate = "centre"                                 # by which protocol reset judges losses
+///     out = "results"
+///     frame_limit_s = 60
+///     memory_limit_mb = 4096
+struct Plan {
+  std::vector<PlannedSequence> sequences;
+  std::vector<MethodSpec> methods;
+  std::vector<std::string> gaps{"none"};
+  std::vector<Protocol> protocols{Protocol::once};
+  std::vector<std::uint64_t> seeds{1};
+  Gate gate = {};
+  std::filesystem::path out = "results";
+  RunLimits limits = {};
+};
+
+/// Throws Error with file, line and column.
+Plan read_plan(const std::filesystem::path& file);
+
+}  // namespace relock
