@@ -21,7 +21,7 @@ refused 'there is no "detectr" to begin' detectr mine
 expect "nothing was written" "" "$(ls "$work")"
 "$relock" new tracker mine --in "$work/some/where" >"$work/said"
 expect "a new one is written, its folders too" 0 $?
-expect "all of it" "CMakeLists.txt README.md mine.cpp" "$(ls "$work/some/where/mine" | xargs)"
+expect "all of it" "CMakeLists.txt README.md mine.cpp " "$(cd "$work/some/where/mine" && printf "%s " *)"
 echo precious >"$work/some/where/mine/mine.cpp"
 "$relock" new tracker mine --in "$work/some/where" 2>/dev/null
 expect "one that is there is not overwritten" 2 $?

@@ -15,7 +15,7 @@ for method in detector/glint tracker/nearby; do
   mkdir "$work/$name" && cd "$work/$name" || exit 1
   block "$page" cpp >"$name.cpp"
   block "$page" cmake >CMakeLists.txt
-  expect "$page shows one file of at most 60 lines" yes "$((($(wc -l <"$name.cpp") <= 60)) && echo yes)"
+  expect "$page shows one file of at most 60 lines" yes "$([[ $(wc -l <"$name.cpp") -le 60 ]] && echo yes)"
   while IFS= read -r command; do
     bash -c "$command" >said 2>&1
     expect "$page: $command" 0 $?
