@@ -177,9 +177,4 @@ bool has_numbered_picture(const fs::path& folder, std::size_t digits) {
   return false;
 }
 
-std::string folder_name(const fs::path& folder) {
-  const auto canonical = fs::weakly_canonical(folder);
-  return (canonical.has_filename() ? canonical : canonical.parent_path()).filename().string();
-}
-
 }  // namespace relock

@@ -60,7 +60,5 @@ void put_targets(std::vector<LabelledTarget> targets, const Description& descrip
 std::optional<std::int64_t> number_of(const std::filesystem::path& picture);
 /// Whether a folder has a picture whose name is a number of so many digits.
 bool has_numbered_picture(const std::filesystem::path& folder, std::size_t digits);
-/// The last part of a folder's path, also of "." and of "folder/".
-std::string folder_name(const std::filesystem::path& folder);
 
 }  // namespace relock
