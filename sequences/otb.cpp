@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "sequences/benchmark.h"
+#include "sequences/description.h"
 #include "sequences/image_folder.h"
 
 namespace relock {

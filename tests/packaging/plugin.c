@@ -38,6 +38,9 @@
 #ifndef AT_CREATE
 #define AT_CREATE
 #endif
+#ifndef AT_TRACK
+#define AT_TRACK
+#endif
 #ifndef PLACES
 #define PLACES 1
 #endif
@@ -100,6 +103,7 @@ static void start(void* object, const relock_frame* frame, const relock_box* box
 static void track(void* object, const relock_frame* frame, const relock_answer* answer) {
   relock_sighting seen;
   (void)frame;
+  AT_TRACK;
   box_around(object, &seen);
   for (int i = 0; i < PLACES; ++i) answer->sighting(answer->host, &seen);
 }

@@ -43,7 +43,7 @@ expect "it is listed" 0 $?
 expect_contains "with its method and where that is from" "the whole picture (libplain.so)" "$listed"
 expect_contains "and its options" "margin=0 px" "$listed"
 expect_contains "it detects" "plain:1 at 319.50, 179.50" "$("$relock" detect "$picture" --method whole --plugin "$good")"
-run() { "$relock" run --sequence "$clip" --out "${out:-$work/out}" "$@" 2>&1; }
+run() { "$relock" run --sequence "$clip" --out "$work/out" "$@" 2>&1; }
 expect_contains "it tracks" "53 frames in" "$(run --methods stays,kcf --plugin "$good" | grep '^stays')"
 verdicts() { cut -d, -f1-9 "$work/out/klahaag/recorded-once/$1/trajectory.csv"; }
 expect "like the one built in that does the same" "$(verdicts still)" "$(verdicts stays)"
@@ -135,7 +135,11 @@ in_c "$work/libplain.so" '-DAT_CREATE=return NULL'
 expect_contains "nothing is made" "whole makes nothing and does not say why" \
   "$("$relock" detect "$picture" --method whole --plugin "$good" 2>&1)"
 in_c "$work/libplain.so" -DPLACES=2
-expect_contains "two places for one target" "stays says of one target that it is in 2 places" "$(out=$work/two run --methods stays --plugin "$good")"
+expect_contains "two places for one target" "stays says of one target that it is in 2 places" "$(run --methods stays --plugin "$good")"
+expect_contains "which a plug-in that has changed is run again to find" "53 frames" "$(in_c "$good" && run --methods stays --plugin "$good" | grep '^stays')"
+expect_contains "one that has not is not" "kept" "$(run --methods stays --plugin "$good" | grep '^stays')"
+in_c "$good" '-DAT_TRACK=crash()'
+expect_contains "a crash in a run is a failure of the method" "signal 11" "$(run --methods stays --plugin "$good")"
 in_cpp "$work/libthrows.so"
 expect_contains "a throw in a run is a failure of the method" "throws had enough of it" "$(run --methods throws --plugin "$work/libthrows.so")"
 expect_contains "an option out of range" 'option count is "77"; it must be a whole number from 0 to 9' \
