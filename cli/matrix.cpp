@@ -128,6 +128,8 @@ void add_runs(Matrix& matrix, std::size_t condition, const std::vector<ChosenMet
 
 void settle_folders(Matrix& matrix, const Plan& plan) {
   const std::string program = file_fingerprint("/proc/self/exe");
+  for (const Sequence& sequence : matrix.sequences)
+    check_truth(plan.out, sequence.recording, sequence.fingerprint);
   std::set<fs::path> taken;
   for (PlannedRun& run : matrix.runs) {
     run.record = record_of(matrix, run, program);

@@ -128,6 +128,10 @@ bool holds_run(const fs::path& folder) {
   return !folder.filename().string().starts_with(".") && fs::exists(folder / "run.json");
 }
 
+fs::path truth_place(const fs::path& out, const Recording& recording) {
+  return out / slug(recording.name) / "recording";
+}
+
 std::vector<fs::path> runs_in(const fs::path& comparison) {
   std::vector<fs::path> runs;
   if (!fs::is_directory(comparison)) return runs;
@@ -192,15 +196,19 @@ ResultsLock prepare_results(const fs::path& out) {
   return lock;
 }
 
+void check_truth(const fs::path& out, const Recording& recording, const std::string& fingerprint) {
+  const fs::path place = truth_place(out, recording);
+  if (!fs::exists(place) || read_file(place / "fingerprint") == fingerprint + "\n") return;
+  throw Error(
+      fmt::format("{} was made from other pictures, times or labels than {} has now; choose another "
+                  "--out or remove it",
+                  place.parent_path().string(), recording.name));
+}
+
 void store_truth(const fs::path& out, const Recording& recording, const std::string& fingerprint) {
-  const fs::path place = out / slug(recording.name) / "recording";
-  if (fs::exists(place)) {
-    if (read_file(place / "fingerprint") == fingerprint + "\n") return;
-    throw Error(
-        fmt::format("{} was made from other pictures, times or labels than {} has now; choose another "
-                    "--out or remove it",
-                    place.parent_path().string(), recording.name));
-  }
+  check_truth(out, recording, fingerprint);
+  const fs::path place = truth_place(out, recording);
+  if (fs::exists(place)) return;
   const fs::path draft = temporary_name(place);
   make_folder(draft);
   write_truth(draft, recording);

@@ -49,8 +49,10 @@ class ResultsLock {
 /// was killed left half done. Throws Error when it belongs to something else or cannot be written.
 ResultsLock prepare_results(const std::filesystem::path& out);
 
-/// Writes OUT/RECORDING/recording, or checks that the one there is the same. Throws Error when it was made
-/// from another recording or other labels.
+/// Throws Error when OUT/RECORDING was made from another recording or other labels.
+void check_truth(const std::filesystem::path& out, const Recording& recording,
+                 const std::string& fingerprint);
+/// Writes OUT/RECORDING/recording unless the same is there. Throws Error like `check_truth`.
 void store_truth(const std::filesystem::path& out, const Recording& recording,
                  const std::string& fingerprint);
 
