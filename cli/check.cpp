@@ -50,8 +50,9 @@ void print_last(const Conformance& so_far) {
 }
 
 void print_counts(const Conformance& all) {
-  fmt::print("  {} passed, {} failed, {} not asked\n", all.count(Kind::passed), all.count(Kind::failed),
-             all.count(Kind::not_asked));
+  const std::size_t known = all.count(Kind::known);
+  fmt::print("  {} passed, {} failed, {} not asked{}\n", all.count(Kind::passed), all.count(Kind::failed),
+             all.count(Kind::not_asked), known == 0 ? "" : fmt::format(", {} known to fail", known));
 }
 
 void print_json(const std::vector<Conformance>& all) {

@@ -24,7 +24,12 @@ struct ConformanceOptions {
 };
 
 struct CheckResult {
-  enum class Kind : std::uint8_t { passed, failed, not_asked };
+  enum class Kind : std::uint8_t {
+    passed,
+    failed,
+    not_asked,
+    known,  ///< failed, as its entry says that it does
+  };
   std::string check;
   Kind kind = Kind::passed;
   std::string reason;  ///< one clause; of a check that passed, a note, often empty

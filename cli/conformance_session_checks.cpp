@@ -161,7 +161,7 @@ Use least(const Use& a, const Use& b) {
 
 Note memory(const Subject& subject, const MemoryLimits& limits, Stage& stage) {
   constexpr double kMostResident = 4e6, kMostAllocated = 256e3;
-  constexpr int kWindow = 8, kWarmFrames = 200, kFewest = 100;
+  constexpr int kWindow = 8, kWarmFrames = 200, kFewest = 100, kTelling = 1000;
   using Clock = std::chrono::steady_clock;
   const Stand stand = small_stand(subject);
   const Film film = moving(stand.scene, stand.start, {0, 0}, 1);
@@ -189,14 +189,22 @@ Note memory(const Subject& subject, const MemoryLimits& limits, Stage& stage) {
   // The first frames fill what is kept for good: of a short film up to a half.
   const int warm = std::max({kWindow, shown / 5, std::min(shown / 2, kWarmFrames)});
   const Use before = around(warm), after = around(shown);
+  const auto budget_s = std::chrono::duration<double>(limits.budget).count();
+  const bool cut = shown < limits.frames;
+  const auto too_much = [&](const char* what, double more) {
+    if (cut && shown < kTelling)
+      throw NotAsked(
+          fmt::format("{} grew over the {} frames of a {:g} s budget, which may be warming up: give "
+                      "it a longer --budget",
+                      what, shown, budget_s));
+    stage.fail(fmt::format("{} grew by {}", what, grown(more, shown - warm)));
+  };
   stage.at(fmt::format("from frame {} to frame {} of a picture that stays the same", warm, shown));
   if (const double more = after.allocated - before.allocated; more > kMostAllocated)
-    stage.fail("what it has allocated grew by " + grown(more, shown - warm));
+    too_much("what it has allocated", more);
   if (const double more = after.resident - before.resident; more > kMostResident)
-    stage.fail("its memory grew by " + grown(more, shown - warm));
-  const auto budget_s = std::chrono::duration<double>(limits.budget).count();
-  return fmt::format("flat over {} frames{}", shown,
-                     shown < limits.frames ? fmt::format(" ({:g} s budget)", budget_s) : "");
+    too_much("its memory", more);
+  return fmt::format("flat over {} frames{}", shown, cut ? fmt::format(" ({:g} s budget)", budget_s) : "");
 }
 
 }  // namespace

@@ -34,6 +34,12 @@ struct DetectorEntry {
   std::optional<PluginFile> plugin = {};  ///< where it comes from; empty: built in
 };
 
+/// A promise of core/tracker.h that a library does not keep, named as `relock check` names it.
+struct KnownFault {
+  std::string check;
+  std::string why;
+};
+
 /// A tracker that can be asked for by name.
 struct TrackerEntry {
   std::string name;
@@ -41,6 +47,7 @@ struct TrackerEntry {
   std::vector<OptionInfo> options = {};
   bool deterministic = true;    ///< the same seed gives the same answers
   bool honours_expect = false;  ///< Tracker::expect changes what it does
+  std::vector<KnownFault> known_faults = {};
   std::string needs = {};       ///< what it cannot work without and relock does not bring; empty: it is ready
   /// A new tracker for one start.
   std::function<std::unique_ptr<Tracker>(const Options&, std::uint64_t seed)> make;

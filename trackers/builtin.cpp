@@ -36,6 +36,9 @@ void add_legacy(Registry<TrackerEntry>& registry) {
   const std::string needs = contributed_needs(has_legacy_trackers());
   registry.add({.name = "mosse",
                 .sentence = "minimum output sum of squared error filter, OpenCV's; the box keeps its size",
+                .known_faults = {{"follows",
+                                  "it gives up targets that change a little: the threshold of its peak is "
+                                  "written into the library"}},
                 .needs = needs,
                 .make = [](const Options&, std::uint64_t) { return mosse_tracker(); }});
   registry.add(
@@ -53,6 +56,9 @@ void add_legacy(Registry<TrackerEntry>& registry) {
       {.name = "boosting",
        .sentence = "online AdaBoost, OpenCV's; the box keeps its size; slow",
        .options = boosting_option_list(),
+       .known_faults = {{"threads",
+                         "the library draws from one sequence in the whole process; every run of "
+                         "relock has a process of its own"}},
        .needs = needs,
        .make = [](const Options& o, std::uint64_t) { return boosting_tracker(boosting_options(o)); }});
 }

@@ -5,7 +5,7 @@ set -uo pipefail
 source tests/scripts/expect.sh
 relock=$1
 shift
-(($#)) || set -- --frames 1000 --budget 3
+(($#)) || set -- --frames 400 --budget 1
 
 said=$("$relock" check --all "$@")
 expect "all methods pass" 0 $?

@@ -151,7 +151,7 @@ TEST(Description, NamesLineAndColumnOfAMistake) {
   scratch.write_pictures(2);
   scratch.write("recording.toml", "name = \"x\"\nrate = 30\n");
   EXPECT_NE(
-      fault_of([&] { open_sequence(scratch.path()); }).find("recording.toml:2:8: no key is called \"rate\""),
+      fault_of([&] { open_sequence(scratch.path()); }).find("recording.toml:2:1: no key is called \"rate\""),
       std::string::npos);
   scratch.write("recording.toml", "rate_hz = \"fast\"\n");
   EXPECT_NE(
