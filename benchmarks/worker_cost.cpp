@@ -6,7 +6,7 @@
 #include <chrono>
 #include <string>
 
-#include "cli/child.h"
+#include "cli/runs/child.h"
 #include "sequences/open.h"
 
 int main(int argc, char** argv) {
@@ -15,5 +15,6 @@ int main(int argc, char** argv) {
   const auto begun = std::chrono::steady_clock::now();
   for (int run = 0; run < runs; ++run) relock::run_in_child([](const relock::Tell& tell) { tell("done"); });
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begun;
-  fmt::print("a worker process   {:.2f} ms from its start to its end, of {} in a row\n", spent.count() / runs, runs);
+  fmt::print("a worker process   {:.2f} ms from its start to its end, of {} in a row\n", spent.count() / runs,
+             runs);
 }

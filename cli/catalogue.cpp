@@ -6,7 +6,7 @@
 #include <chrono>
 #include <type_traits>
 
-#include "cli/child.h"
+#include "cli/runs/child.h"
 #include "core/compose.h"
 #include "core/error.h"
 #include "core/random.h"

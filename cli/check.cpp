@@ -8,7 +8,7 @@
 #include <opencv2/core/utility.hpp>
 
 #include "cli/catalogue.h"
-#include "cli/conformance.h"
+#include "cli/conformance/conformance.h"
 #include "cli/verbs.h"
 #include "core/error.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/run_folder.h"
+#include "cli/runs/folder.h"
 #include "eval/scores.h"
 
 namespace relock {

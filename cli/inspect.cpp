@@ -4,7 +4,7 @@
 
 #include <opencv2/core/utility.hpp>
 
-#include "cli/inspect_report.h"
+#include "cli/inspect/report.h"
 #include "cli/recordings.h"
 #include "cli/terminal.h"
 #include "cli/verbs.h"

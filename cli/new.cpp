@@ -8,7 +8,7 @@
 
 #include "cli/catalogue.h"
 #include "cli/files.h"
-#include "cli/plugin_template.h"
+#include "cli/plugins/template.h"
 #include "cli/verbs.h"
 #include "core/error.h"
 

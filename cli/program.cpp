@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
-#include "cli/plugins.h"
+#include "cli/plugins/plugins.h"
 #include "cli/verbs.h"
 #include "cli/version.h"
 #include "core/error.h"

@@ -6,9 +6,9 @@
 #include <opencv2/core/ocl.hpp>
 #include <opencv2/core/utility.hpp>
 
-#include "cli/matrix.h"
-#include "cli/pool.h"
-#include "cli/run_folder.h"
+#include "cli/runs/folder.h"
+#include "cli/runs/matrix.h"
+#include "cli/runs/pool.h"
 #include "cli/table.h"
 #include "cli/terminal.h"
 #include "cli/verbs.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "cli/run_folder.h"
+#include "cli/runs/folder.h"
 #include "eval/scores.h"
 
 namespace relock {

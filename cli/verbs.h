@@ -12,7 +12,7 @@
 
 namespace relock {
 
-/// What is not given has the plan's defaults (cli/plan.h).
+/// What is not given has the plan's defaults (cli/runs/plan.h).
 struct RunArguments {
   std::optional<std::filesystem::path> plan;  ///< a plan file, in place of the next ten
   std::optional<std::filesystem::path>

@@ -1,5 +1,5 @@
 // A child process may do anything: its parent hears of it and goes on.
-#include "cli/child.h"
+#include "cli/runs/child.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // Methods that break one promise each are caught by the check that asks for it, and by no other.
-#include "cli/conformance.h"
+#include "cli/conformance/conformance.h"
 
 #include <gtest/gtest.h>
 #include <sys/types.h>

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cli/inspect_report.h"
+#include "cli/inspect/report.h"
 
 namespace relock {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/plugin_table.h"
+#include "cli/plugins/table.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/runs/record.h"
+#include "core/recording.h"
+#include "eval/replay.h"
+
+namespace relock {
+
+// Where results are:
+//   OUT/relock-results.json                       says that the folder is relock's
+//   OUT/.lock                                     held by the program that writes here
+//   OUT/RECORDING/recording/                      truth: recording.toml, timestamps.csv, labels.csv
+//   OUT/RECORDING/GAPS-PROTOCOL/METHOD/           one run: run.json, trajectory.csv, timing.csv;
+//                                                 `relock score` adds scores.json, events.csv, verdicts.csv
+// A run folder is written under a temporary name and renamed when it is complete.
+
+/// A run read back from its folder.
+struct StoredRun {
+  std::filesystem::path folder;
+  RunRecord record;
+  Trajectory trajectory;
+};
+/// All runs on one recording with the same gaps and protocol: what may stand in one table.
+struct StoredComparison {
+  std::filesystem::path folder;
+  Recording recording;
+  std::vector<StoredRun> runs;  ///< by name; yardsticks last
+};
+
+/// Keeps other programs from writing into a results folder, for as long as it lives.
+class ResultsLock {
+ public:
+  /// Waits a little for another program; throws Error when it goes on.
+  explicit ResultsLock(const std::filesystem::path& out);
+  ~ResultsLock();
+  ResultsLock(ResultsLock&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
+  ResultsLock& operator=(ResultsLock&&) = delete;
+
+ private:
+  int file_ = -1;
+};
+
+/// Makes `out` ready and locks it: creates it, or checks that it is relock's, and removes what a program that
+/// was killed left half done. Throws Error when it belongs to something else or cannot be written.
+ResultsLock prepare_results(const std::filesystem::path& out);
+
+/// Throws Error when OUT/RECORDING was made from another recording or other labels.
+void check_truth(const std::filesystem::path& out, const Recording& recording,
+                 const std::string& fingerprint);
+/// Writes OUT/RECORDING/recording unless the same is there. Throws Error like `check_truth`.
+void store_truth(const std::filesystem::path& out, const Recording& recording,
+                 const std::string& fingerprint);
+
+/// Where a run belongs.
+std::filesystem::path run_folder(const std::filesystem::path& out, const RunRecord& record);
+/// Throws Error when the runs beside it were made under other conditions: other gaps, seed or gate.
+void check_comparison(const std::filesystem::path& run_folder, const RunRecord& record);
+/// Whether a complete run with the same inputs is there already.
+bool already_run(const std::filesystem::path& folder, const RunRecord& record);
+
+/// A run as it will be on disk.
+struct FinishedRun {
+  RunRecord record;
+  std::string trajectory;  ///< trajectory.csv
+  std::vector<FrameCost> costs;
+};
+/// Writes a run, in the place of an older one: whole or not at all.
+void store_run(const std::filesystem::path& folder, const FinishedRun& run);
+
+/// Finds and reads all runs below `folder`: a results folder or a part of one. Throws Error when there is
+/// none.
+std::vector<StoredComparison> read_results(const std::filesystem::path& folder);
+
+}  // namespace relock

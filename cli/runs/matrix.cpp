@@ -1,0 +1,174 @@
+#include "cli/runs/matrix.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <opencv2/core/version.hpp>
+#include <set>
+
+#include "cli/recordings.h"
+#include "cli/runs/folder.h"
+#include "cli/version.h"
+#include "core/error.h"
+#include "sequences/gaps.h"
+
+namespace relock {
+namespace {
+
+namespace fs = std::filesystem;
+
+Sequence opened(const PlannedSequence& planned) {
+  Sequence sequence = open_sequence(recording_path(planned.path), planned.open);
+  const Recording& recording = sequence.recording;
+  if (recording.targets.empty())
+    throw Error(
+        fmt::format("{} has no labels.csv, and without truth nothing can be scored; give --labels FILE",
+                    planned.path.string()));
+  const auto visible = [](const TargetTruth& truth) { return truth.label == Label::visible; };
+  if (std::none_of(recording.truth.begin(), recording.truth.end(), visible))
+    throw Error(fmt::format("no target of {} is ever visible, so there is nothing to score", recording.name));
+  return sequence;
+}
+
+/// Frames that no pattern may take: where methods are started.
+std::vector<FrameIndex> start_frames(const Recording& recording) {
+  std::vector<FrameIndex> frames;
+  for (const auto& start : first_startable(recording))
+    if (start) frames.push_back(*start);
+  return frames;
+}
+
+std::vector<Condition> conditions(const Plan& plan, const std::vector<Sequence>& sequences) {
+  std::vector<Condition> all;
+  std::vector<GapPattern> patterns;
+  for (const std::string& text : plan.gaps) patterns.push_back(GapPattern::parse(text));
+  for (std::size_t s = 0; s < sequences.size(); ++s) {
+    const Recording& recording = sequences[s].recording;
+    for (const GapPattern& pattern : patterns)
+      for (const Protocol protocol : plan.protocols)
+        for (const std::uint64_t seed : plan.seeds)
+          all.push_back({s, pattern.text(), protocol, seed, plan.gate,
+                         pattern.apply(recording.captured, recording.period, seed, start_frames(recording))});
+  }
+  return all;
+}
+
+std::vector<ChosenMethod> chosen_methods(const Plan& plan, const Methods& methods) {
+  std::vector<ChosenMethod> chosen;
+  for (const MethodSpec& spec : plan.methods) {
+    const auto same = [&](const ChosenMethod& other) { return other.text == spec.text(); };
+    if (std::none_of(chosen.begin(), chosen.end(), same)) chosen.push_back(choose(methods, spec));
+  }
+  return chosen;
+}
+
+std::vector<bool> asked_about(const ChosenMethod& method, const Recording& recording) {
+  std::vector<bool> all;
+  for (const Target& target : recording.targets) all.push_back(method.asked_about(target));
+  return all;
+}
+
+/// Why a method cannot be run there; empty if it can.
+std::string hindrance(const ChosenMethod& method, const Condition& condition, const Recording& recording) {
+  if (method.needs_start && condition.protocol == Protocol::detect)
+    return fmt::format("{} needs a box to start from, and protocol detect gives none; use once or reset",
+                       method.text);
+  const auto asked = asked_about(method, recording);
+  if (std::find(asked.begin(), asked.end(), true) == asked.end())
+    return fmt::format(
+        "{} reads codes of {}, and no target of {} has one; give the target's code in "
+        "recording.toml",
+        method.text, fmt::join(method.reads, ", "), recording.name);
+  return {};
+}
+
+RunRecord record_of(const Matrix& matrix, const PlannedRun& run, const std::string& program) {
+  const Condition& condition = matrix.condition_of(run);
+  RunRecord record;
+  record.relock_version = kVersion;
+  record.program = program + run.method.program;
+  record.opencv_version = CV_VERSION;
+  record.recording = matrix.sequence_of(run).recording.name;
+  record.fingerprint = matrix.sequence_of(run).fingerprint;
+  record.method = run.method.text;
+  record.options = run.method.options;
+  record.gaps = condition.gaps;
+  for (std::size_t frame = 0; frame < condition.schedule.frames(); ++frame)
+    if (!condition.schedule.delivered(frame)) record.dropped.push_back(static_cast<FrameIndex>(frame));
+  record.seed = condition.seed;
+  record.protocol = condition.protocol;
+  if (condition.protocol == Protocol::reset) record.gate = to_string(condition.gate);
+  record.yardstick = run.method.yardstick;
+  record.reads_codes = run.method.reads_codes;
+  record.deterministic = run.method.deterministic;
+  return record;
+}
+
+/// Adds the runs of one condition. `fits`: for each method, whether it was found to fit anywhere.
+void add_runs(Matrix& matrix, std::size_t condition, const std::vector<ChosenMethod>& chosen,
+              const Methods& methods, std::vector<bool>& fits) {
+  const Condition& c = matrix.conditions[condition];
+  const Recording& recording = matrix.sequences[c.sequence].recording;
+  const auto add = [&](const ChosenMethod& method) {
+    matrix.runs.push_back({condition, method, asked_about(method, recording), {}, {}, false});
+  };
+  for (std::size_t m = 0; m < chosen.size(); ++m) {
+    const std::string why = hindrance(chosen[m], c, recording);
+    if (why.empty()) {
+      add(chosen[m]);
+      fits[m] = true;
+    } else if (std::find(matrix.left_out.begin(), matrix.left_out.end(), why) == matrix.left_out.end()) {
+      matrix.left_out.push_back(why);
+    }
+  }
+  for (const ChosenMethod& yardstick : yardsticks(methods, c.protocol != Protocol::detect, chosen))
+    add(yardstick);
+}
+
+void settle_folders(Matrix& matrix, const Plan& plan) {
+  const std::string program = file_fingerprint("/proc/self/exe");
+  for (const Sequence& sequence : matrix.sequences)
+    check_truth(plan.out, sequence.recording, sequence.fingerprint);
+  std::set<fs::path> taken;
+  for (PlannedRun& run : matrix.runs) {
+    run.record = record_of(matrix, run, program);
+    run.folder = run_folder(plan.out, run.record);
+    if (!taken.insert(run.folder).second)
+      throw Error(
+          fmt::format("two runs of this plan would be in {}; give the recordings names of their own in "
+                      "recording.toml, or leave one of the two out",
+                      run.folder.string()));
+    check_comparison(run.folder, run.record);
+    run.there = already_run(run.folder, run.record);
+  }
+}
+
+}  // namespace
+
+Matrix multiply_out(const Plan& plan, const Methods& methods) {
+  const auto chosen = chosen_methods(plan, methods);
+  for (const std::string& text : plan.gaps) GapPattern::parse(text);  // told before anything is opened
+  Matrix matrix;
+  std::vector<bool> fits(chosen.size(), false);
+  for (const PlannedSequence& planned : plan.sequences) matrix.sequences.push_back(opened(planned));
+  matrix.conditions = conditions(plan, matrix.sequences);
+  for (std::size_t c = 0; c < matrix.conditions.size(); ++c) add_runs(matrix, c, chosen, methods, fits);
+  const auto nowhere = std::find(fits.begin(), fits.end(), false);
+  if (nowhere != fits.end()) {
+    const auto& method = chosen[static_cast<std::size_t>(nowhere - fits.begin())];
+    throw Error(hindrance(method, matrix.conditions.front(),
+                          matrix.sequences[matrix.conditions.front().sequence].recording));
+  }
+  settle_folders(matrix, plan);
+  return matrix;
+}
+
+std::size_t delivered_frames(const Condition& condition) {
+  std::size_t count = 0;
+  for (std::size_t frame = 0; frame < condition.schedule.frames(); ++frame)
+    count += condition.schedule.delivered(frame) ? 1 : 0;
+  return count;
+}
+
+}  // namespace relock
