@@ -14,6 +14,8 @@ find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs video calib3d OPT
 find_package(fmt REQUIRED)
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 pkg_check_modules(LIBAV REQUIRED IMPORTED_TARGET libavformat libavcodec libavutil libswscale)
 pkg_check_modules(DLIB dlib-1)  # without it, `dlib` is listed and says what it needs
