@@ -1,0 +1,279 @@
+#include "sequences/simulator/render.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace relock::simulator {
+namespace {
+
+/// Four channels worked on at once; both compilers know this form of a vector.
+using Pixel4 = float __attribute__((vector_size(16)));
+
+constexpr float kOpaque = 0.999f;
+constexpr int kChunk = 16;  // pixels of a row that share a level of a texture
+
+Pixel4 load(const float* from) { return Pixel4{from[0], from[1], from[2], from[3]}; }
+
+/// One level of a texture at a place in [0, 1]^2.
+Pixel4 sample(const cv::Mat& level, float u, float v) {
+  const float x =
+      std::clamp(u * static_cast<float>(level.cols) - 0.5f, 0.0f, static_cast<float>(level.cols - 1));
+  const float y =
+      std::clamp(v * static_cast<float>(level.rows) - 0.5f, 0.0f, static_cast<float>(level.rows - 1));
+  const int left = std::min(static_cast<int>(x), std::max(0, level.cols - 2));
+  const int top = std::min(static_cast<int>(y), std::max(0, level.rows - 2));
+  const float fx = x - static_cast<float>(left), fy = y - static_cast<float>(top);
+  const float* upper = level.ptr<float>(top) + 4 * left;
+  const float* lower = level.ptr<float>(std::min(top + 1, level.rows - 1)) + 4 * left;
+  const int next = level.cols > 1 ? 4 : 0;
+  const Pixel4 a = load(upper), b = load(upper + next), c = load(lower), d = load(lower + next);
+  const Pixel4 up = a + fx * (b - a), down = c + fx * (d - c);
+  return up + fy * (down - up);
+}
+
+float clamp01(float x) { return std::clamp(x, 0.0f, 1.0f); }
+
+}  // namespace
+
+/// A surface in one instant.
+struct Renderer::Seen {
+  Eigen::Matrix3f to_plane = Eigen::Matrix3f::Zero();  ///< a ray (x, y, 1) to (u, v, 1) over its depth
+  const Texture* texture = nullptr;
+  int left = 0, right = -1, top = 0, bottom = -1;  ///< pixels that it may cover, ends included
+  bool fine = false;
+  double gloss = 0;
+  Eigen::Vector3f normal, lamp;  ///< in camera coordinates
+  Eigen::Vector3f corner, u_edge, v_edge;
+};
+
+/// The row being composed, front to back.
+struct Renderer::Row {
+  std::vector<Pixel4> colour;  ///< premultiplied; the fourth is the coverage
+  const float* rays = nullptr;
+};
+
+Renderer::Renderer(const Scene& scene, const Camera& camera)
+    : scene_(scene), camera_(camera), fine_(scene.surfaces.size(), false) {
+  check_camera(camera);
+  for (const HungTarget& target : scene.targets) fine_[target.surface] = true;
+  rays_.reserve(2 * static_cast<std::size_t>(camera.picture.width) *
+                static_cast<std::size_t>(camera.picture.height));
+  for (int y = 0; y < camera.picture.height; ++y)
+    for (int x = 0; x < camera.picture.width; ++x) {
+      const Eigen::Vector2d ray = normalised(camera, {static_cast<double>(x), static_cast<double>(y)});
+      rays_.push_back(static_cast<float>(ray.x()));
+      rays_.push_back(static_cast<float>(ray.y()));
+    }
+}
+
+Renderer::Seen Renderer::see(const Surface& surface, std::size_t index, const Pose& pose, double t) const {
+  Seen seen;
+  const Eigen::Vector3d moved = surface.shift ? surface.corner + surface.shift(t) : surface.corner;
+  const Eigen::Matrix3d to_camera = pose.rotation.conjugate().toRotationMatrix();
+  const Eigen::Vector3d corner = to_camera * (moved - pose.position);
+  const Eigen::Vector3d right = to_camera * surface.right, down = to_camera * surface.down;
+  const Eigen::Vector3d normal = right.cross(down);
+  if (normal.dot(corner) <= 1e-9) return seen;  // seen from behind, or along its plane
+  Eigen::Matrix3d from_plane;
+  from_plane << right, down, corner;
+  seen.to_plane = from_plane.inverse().cast<float>();
+  seen.texture = surface.texture.get();
+  seen.fine = fine_[index];
+  seen.gloss = surface.gloss;
+  if (surface.gloss > 0) {
+    seen.normal = -normal.normalized().cast<float>();
+    seen.lamp = pose.to_camera(scene_.lamp).cast<float>();
+    seen.corner = corner.cast<float>(), seen.u_edge = right.cast<float>(), seen.v_edge = down.cast<float>();
+  }
+
+  // The edges, looked at in many places: a lens bends them, and some may be behind the camera.
+  constexpr int kPlaces = 12;
+  double left = 1e9, top = 1e9, bottom = -1e9, rightmost = -1e9;
+  bool whole = true;
+  for (int side = 0; side < 4; ++side)
+    for (int i = 0; i < kPlaces; ++i) {
+      const double along = i / static_cast<double>(kPlaces);
+      const double u = side == 0 ? along : side == 1 ? 1 : side == 2 ? 1 - along : 0;
+      const double v = side == 0 ? 0 : side == 1 ? along : side == 2 ? 1 : 1 - along;
+      const auto at = project(camera_, corner + u * right + v * down);
+      if (!at) {
+        whole = false;
+        continue;
+      }
+      left = std::min(left, at->x), rightmost = std::max(rightmost, at->x);
+      top = std::min(top, at->y), bottom = std::max(bottom, at->y);
+    }
+  const int width = camera_.picture.width, height = camera_.picture.height;
+  if (!whole) left = top = -1e9, rightmost = bottom = 1e9;
+  const double bend = camera_.k1 != 0 || camera_.k2 != 0 ? 0.02 * (rightmost - left + bottom - top) : 0;
+  seen.left = static_cast<int>(std::clamp(std::floor(left - 1 - bend), 0.0, static_cast<double>(width)));
+  seen.right = static_cast<int>(std::clamp(std::ceil(rightmost + 1 + bend), -1.0, width - 1.0));
+  seen.top = static_cast<int>(std::clamp(std::floor(top - 1 - bend), 0.0, static_cast<double>(height)));
+  seen.bottom = static_cast<int>(std::clamp(std::ceil(bottom + 1 + bend), -1.0, height - 1.0));
+  return seen;
+}
+
+/// Front to back.
+std::vector<Renderer::Seen> Renderer::seen_at(const Exposure& exposure, double t) const {
+  const Pose pose = exposure.pose(t);
+  std::vector<Seen> all;
+  for (std::size_t i = scene_.surfaces.size(); i-- > 0;) {
+    const Seen seen = see(scene_.surfaces[i], i, pose, t);
+    if (seen.left <= seen.right && seen.top <= seen.bottom) all.push_back(seen);
+  }
+  return all;
+}
+
+void Renderer::draw_row(const Seen& seen, Row& row) const {
+  const auto per_pixel = static_cast<float>(1 / camera_.focal_px);
+  const Eigen::Matrix3f& m = seen.to_plane;
+  const auto& levels = seen.texture->levels;
+  const auto width = static_cast<float>(levels[0].cols), height = static_cast<float>(levels[0].rows);
+  const int samples = seen.fine ? 4 : 1;
+  const float spread = per_pixel / 4;
+  for (int begin = seen.left; begin <= seen.right; begin += kChunk) {
+    const int end = std::min(begin + kChunk, seen.right + 1);
+    // How fast u and v change a pixel, in the middle of the chunk.
+    const float* middle = row.rays + 2 * ((begin + end) / 2);
+    const Eigen::Vector3f at = m * Eigen::Vector3f(middle[0], middle[1], 1);
+    if (at.z() <= 0) {
+      const float* first = row.rays + 2 * begin;
+      const float* last = row.rays + 2 * (end - 1);
+      if (m(2, 0) * first[0] + m(2, 1) * first[1] + m(2, 2) <= 0 &&
+          m(2, 0) * last[0] + m(2, 1) * last[1] + m(2, 2) <= 0)
+        continue;
+    }
+    const float depth = per_pixel / std::max(at.z(), 1e-6f), u0 = at.x() / std::max(at.z(), 1e-6f),
+                v0 = at.y() / std::max(at.z(), 1e-6f);
+    const float ux = (m(0, 0) - u0 * m(2, 0)) * depth, uy = (m(0, 1) - u0 * m(2, 1)) * depth;
+    const float vx = (m(1, 0) - v0 * m(2, 0)) * depth, vy = (m(1, 1) - v0 * m(2, 1)) * depth;
+    const float texels = std::max(std::hypot(ux * width, vx * height), std::hypot(uy * width, vy * height)) /
+                         (seen.fine ? 2.0f : 1.0f);
+    const int level = std::clamp(static_cast<int>(std::floor(std::log2(std::max(texels, 1e-6f)) + 0.5f)), 0,
+                                 static_cast<int>(levels.size()) - 1);
+    const cv::Mat& texture = levels[static_cast<std::size_t>(level)];
+    const float u_edge = 1 / std::max(std::hypot(ux, uy), 1e-9f),
+                v_edge = 1 / std::max(std::hypot(vx, vy), 1e-9f);
+
+    for (int x = begin; x < end; ++x) {
+      Pixel4& colour = row.colour[static_cast<std::size_t>(x)];
+      if (colour[3] >= kOpaque) continue;
+      Pixel4 sum{0, 0, 0, 0};
+      for (int i = 0; i < samples; ++i) {
+        const float rx = row.rays[2 * x] + (seen.fine ? (i & 1 ? spread : -spread) : 0);
+        const float ry = row.rays[2 * x + 1] + (seen.fine ? (i & 2 ? spread : -spread) : 0);
+        const float w = m(2, 0) * rx + m(2, 1) * ry + m(2, 2);
+        if (w <= 0) continue;
+        const float u = (m(0, 0) * rx + m(0, 1) * ry + m(0, 2)) / w,
+                    v = (m(1, 0) * rx + m(1, 1) * ry + m(1, 2)) / w;
+        const float covered =
+            clamp01(0.5f + std::min(u, 1 - u) * u_edge) * clamp01(0.5f + std::min(v, 1 - v) * v_edge);
+        if (covered <= 0) continue;
+        Pixel4 texel = sample(texture, u, v);
+        if (seen.gloss > 0) {  // Blinn's half vector
+          const Eigen::Vector3f point = seen.corner + u * seen.u_edge + v * seen.v_edge;
+          const float shine =
+              ((seen.lamp - point).normalized() - point.normalized()).normalized().dot(seen.normal);
+          const auto spot =
+              static_cast<float>(seen.gloss) * std::pow(std::max(shine, 0.0f), 200.0f) * texel[3];
+          texel += Pixel4{spot, spot, spot, 0};
+        }
+        sum += covered * texel;
+      }
+      colour += (1 - colour[3]) / static_cast<float>(samples) * sum;
+    }
+  }
+}
+
+void Renderer::add_step(const Exposure& exposure, double t, cv::Mat& sum) const {
+  const int width = camera_.picture.width, height = camera_.picture.height;
+  Row row{std::vector<Pixel4>(static_cast<std::size_t>(width)), nullptr};
+  std::vector<Seen> seen = seen_at(exposure, t);
+  double seen_for = 0;
+  for (int y = 0; y < height; ++y) {
+    const double delay = exposure.delay_s(y, height);
+    if (exposure.rolling() && (y == 0 || std::abs(delay - seen_for) > 20e-6)) {
+      seen = seen_at(exposure, t + delay);  // a row or some, never 0.02 ms apart
+      seen_for = delay;
+    }
+    std::fill(row.colour.begin(), row.colour.end(), Pixel4{0, 0, 0, 0});
+    row.rays = rays_.data() + 2 * static_cast<std::size_t>(width) * static_cast<std::size_t>(y);
+    for (const Seen& surface : seen)
+      if (y >= surface.top && y <= surface.bottom) draw_row(surface, row);
+    float* out = sum.ptr<float>(y);
+    for (std::size_t x = 0; x < row.colour.size(); ++x, out += 3) {
+      // Where two walls meet, each covers a part of the pixel: what is missing is more of the same.
+      const Pixel4 colour = row.colour[x] / std::max(row.colour[x][3], 1e-3f);
+      out[0] += colour[0], out[1] += colour[1], out[2] += colour[2];
+    }
+  }
+}
+
+int Renderer::steps_for(double motion_px, const ExposurePlan& plan) {
+  if (motion_px < 1e-3) return 1;
+  return static_cast<int>(
+      std::clamp(std::ceil(motion_px / plan.step_px) + 1, 2.0, std::max(1.0, 1.0 * plan.most_steps)));
+}
+
+void Renderer::render(const Exposure& exposure, int steps, cv::Mat& light) const {
+  light.create(camera_.picture.height, camera_.picture.width, CV_32FC3);
+  light.setTo(cv::Scalar::all(0));
+  for (int i = 0; i < steps; ++i)
+    add_step(exposure, exposure.begin_s() + (i + 0.5) / steps * exposure.duration_s(), light);
+  if (steps > 1) light.convertTo(light, -1, 1.0 / steps);
+}
+
+std::optional<Eigen::Vector3d> Renderer::first_hit(const Pose& pose, double t, Vec2 pixel) const {
+  const Eigen::Vector2d place = normalised(camera_, pixel);
+  const Eigen::Vector3d ray = pose.rotation * Eigen::Vector3d(place.x(), place.y(), 1);
+  for (std::size_t i = scene_.surfaces.size(); i-- > 0;) {
+    const Surface& s = scene_.surfaces[i];
+    const Eigen::Vector3d corner = s.shift ? s.corner + s.shift(t) : s.corner;
+    const Eigen::Vector3d normal = s.right.cross(s.down);
+    const double along = normal.dot(ray);
+    if (along <= 1e-12) continue;
+    const double depth = normal.dot(corner - pose.position) / along;
+    const Eigen::Vector3d on = pose.position + depth * ray - corner;
+    const double u = on.dot(s.right) / s.right.squaredNorm(), v = on.dot(s.down) / s.down.squaredNorm();
+    if (depth > 0 && u >= 0 && u <= 1 && v >= 0 && v <= 1) return pose.position + depth * ray;
+  }
+  return {};
+}
+
+double Renderer::motion_px(const Exposure& exposure) const {
+  constexpr int kAcross = 5, kDown = 4, kTimes = 8;
+  std::vector<std::pair<Eigen::Vector3d, const Surface*>> points;
+  const Pose middle = exposure.pose(exposure.middle_s());
+  for (int j = 0; j < kDown; ++j)
+    for (int i = 0; i < kAcross; ++i)
+      if (const auto hit = first_hit(middle, exposure.middle_s(),
+                                     {i * (camera_.picture.width - 1.0) / (kAcross - 1),
+                                      j * (camera_.picture.height - 1.0) / (kDown - 1)}))
+        points.emplace_back(*hit, nullptr);
+  for (const HungTarget& target : scene_.targets) {
+    const Surface& sheet = scene_.surfaces[target.surface];
+    points.emplace_back(sheet.corner + 0.5 * (sheet.right + sheet.down), nullptr);
+  }
+  for (const Surface& surface : scene_.surfaces)
+    if (surface.shift) points.emplace_back(surface.corner + 0.5 * (surface.right + surface.down), &surface);
+
+  const double reach = std::hypot(camera_.picture.width, camera_.picture.height);
+  double most = 0;
+  for (const auto& [point, moving] : points) {
+    double way = 0;
+    std::optional<Vec2> before;
+    for (int i = 0; i <= kTimes; ++i) {
+      const double t = exposure.begin_s() + exposure.duration_s() * i / kTimes;
+      const Eigen::Vector3d world = moving ? point + moving->shift(t) : point;
+      const auto at = project(camera_, exposure.pose(t).to_camera(world));
+      if (at && norm(*at - camera_.middle()) > reach) continue;  // not seen
+      if (at && before) way += norm(*at - *before);
+      before = at;
+    }
+    most = std::max(most, way);
+  }
+  return most;
+}
+
+}  // namespace relock::simulator

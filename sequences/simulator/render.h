@@ -1,0 +1,42 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "sequences/simulator/exposure.h"
+#include "sequences/simulator/scene.h"
+
+namespace relock::simulator {
+
+/// Renders frames of a scene, each the mean in linear light of sub-exposures. One renderer may be used by several threads.
+class Renderer {
+ public:
+  /// Keeps a reference to `scene`.
+  Renderer(const Scene& scene, const Camera& camera);
+
+  /// Farthest that anything seen moves in the picture during the exposure, along its way, px.
+  double motion_px(const Exposure& exposure) const;
+  /// How many sub-exposures the plan wants for that: 1 when nothing moves.
+  static int steps_for(double motion_px, const ExposurePlan& plan);
+
+  /// The light on the sensor, CV_32FC3 of the camera's size (reused where it fits): reflected light, 1 is white in full light,
+  /// the exposure's own light not yet counted in.
+  void render(const Exposure& exposure, int steps, cv::Mat& light) const;
+
+ private:
+  struct Row;
+  struct Seen;
+
+  Seen see(const Surface& surface, std::size_t index, const Pose& pose, double t) const;
+  std::vector<Seen> seen_at(const Exposure& exposure, double t) const;
+  void add_step(const Exposure& exposure, double t, cv::Mat& sum) const;
+  void draw_row(const Seen& seen, Row& row) const;
+  std::optional<Eigen::Vector3d> first_hit(const Pose& pose, double t, Vec2 pixel) const;
+
+  const Scene& scene_;
+  Camera camera_;
+  std::vector<bool> fine_;   // surfaces that are sampled finely: targets' sheets
+  std::vector<float> rays_;  // normalised x and y of each pixel, row by row
+};
+
+}  // namespace relock::simulator
