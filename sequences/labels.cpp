@@ -204,24 +204,27 @@ void read_labels(std::istream& in, const std::string& file, const Description& d
   LabelReader(in, file, description, limits, recording).read();
 }
 
+void write_label_header(std::ostream& out) { out << fmt::format("{}", fmt::join(kColumns, ",")) << '\n'; }
+
+void write_label_row(std::ostream& out, FrameIndex frame, const Target& target, const TargetTruth& truth) {
+  if (truth.label == Label::unlabelled && !truth.outline) return;
+  std::string line = fmt::format("{},{},{}", frame, csv_cell(target.id), to_string(truth.label));
+  append(line, truth.centre_projected);
+  append(line, truth.visible_fraction);
+  append(line, truth.occluded_fraction);
+  append(line, truth.blur);
+  append(line, truth.tilt_deg);
+  append(line, truth.sigma_px);
+  append_outline(line, truth.outline, kDecimals);
+  out << line << '\n';
+}
+
 void write_labels(std::ostream& out, const Recording& recording) {
-  out << fmt::format("{}", fmt::join(kColumns, ",")) << '\n';
-  std::string line;
-  for (std::size_t frame = 0; frame < recording.frames(); ++frame) {
-    for (std::size_t t = 0; t < recording.targets.size(); ++t) {
-      const TargetTruth& truth = recording.truth_of(frame, t);
-      if (truth.label == Label::unlabelled && !truth.outline) continue;
-      line = fmt::format("{},{},{}", frame, csv_cell(recording.targets[t].id), to_string(truth.label));
-      append(line, truth.centre_projected);
-      append(line, truth.visible_fraction);
-      append(line, truth.occluded_fraction);
-      append(line, truth.blur);
-      append(line, truth.tilt_deg);
-      append(line, truth.sigma_px);
-      append_outline(line, truth.outline, kDecimals);
-      out << line << '\n';
-    }
-  }
+  write_label_header(out);
+  for (std::size_t frame = 0; frame < recording.frames(); ++frame)
+    for (std::size_t t = 0; t < recording.targets.size(); ++t)
+      write_label_row(out, static_cast<FrameIndex>(frame), recording.targets[t],
+                      recording.truth_of(frame, t));
 }
 
 }  // namespace relock

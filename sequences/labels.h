@@ -45,4 +45,9 @@ void read_labels(std::istream& in, const std::string& file, const Description& d
 /// pixel.
 void write_labels(std::ostream& out, const Recording& recording);
 
+/// The same piece by piece, for whoever makes a recording longer than memory: the header, then in each frame the row of
+/// each target (nothing for one that is unlabelled and whose place is unknown).
+void write_label_header(std::ostream& out);
+void write_label_row(std::ostream& out, FrameIndex frame, const Target& target, const TargetTruth& truth);
+
 }  // namespace relock

@@ -148,14 +148,19 @@ std::string file_fingerprint(const fs::path& path) {
   return print.text();
 }
 
-void write_truth(const fs::path& folder, const Recording& recording) {
+void write_description(const fs::path& folder, const Recording& recording) {
   std::ofstream toml(folder / "recording.toml", std::ios::binary);
   toml << description_text(recording);
+  if (!toml.flush()) throw Error(fmt::format("{} cannot be written; is the disk full?", folder.string()));
+}
+
+void write_truth(const fs::path& folder, const Recording& recording) {
+  write_description(folder, recording);
   std::ofstream times(folder / "timestamps.csv", std::ios::binary);
   write_timestamps(times, recording.captured);
   std::ofstream labels(folder / "labels.csv", std::ios::binary);
   write_labels(labels, recording);
-  if (!toml.flush() || !times.flush() || !labels.flush())
+  if (!times.flush() || !labels.flush())
     throw Error(fmt::format("{} cannot be written; is the disk full?", folder.string()));
 }
 

@@ -50,6 +50,8 @@ std::string file_fingerprint(const std::filesystem::path& path);
 /// Writes everything about a recording but its pictures into `folder`, which exists: recording.toml,
 /// timestamps.csv and labels.csv.
 void write_truth(const std::filesystem::path& folder, const Recording& recording);
+/// Its recording.toml alone: what is known without its pictures and truth.
+void write_description(const std::filesystem::path& folder, const Recording& recording);
 /// Reads what `write_truth` wrote.
 Recording read_truth(const std::filesystem::path& folder);
 
