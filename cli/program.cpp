@@ -29,6 +29,7 @@ struct Arguments {
   InspectArguments inspect;
   CheckArguments check;
   NewArguments start_new;
+  SimulateArguments simulate;
   std::vector<std::filesystem::path> plugins;  // of any verb that names methods
 };
 
@@ -130,6 +131,23 @@ void add_new(CLI::App& app, NewArguments& a) {
   verb.add_option("--in", a.in, "where its folder goes")->capture_default_str();
 }
 
+void add_simulate(CLI::App& app, SimulateArguments& a) {
+  CLI::App& verb = *app.add_subcommand("simulate", "Make a flight whose every frame knows the truth");
+  verb.add_option("plan", a.plan, "a plan file (TOML) that states what differs from its preset");
+  verb.add_option("--preset", a.preset, "what to fly; --list names all; else ardrone");
+  verb.add_option("--target", a.targets, "a target as `relock marker` takes it, 150 mm large; repeatable")
+      ->allow_extra_args(false);
+  verb.add_option("--seed", a.seed, "of everything drawn at random; else 1");
+  verb.add_option("--duration", a.duration_s, "of the flight, s; else 10");
+  verb.add_option("--gaps", a.gaps, "frames that are not recorded: a pattern as of `relock run`");
+  verb.add_option("--out", a.out, "the recording's folder; it must not be there yet");
+  verb.add_option("--preview", a.preview, "write a video of it, too (.mp4)");
+  verb.add_option("--jobs,-j", a.jobs, "frames made at a time; the bytes are the same for any number")
+      ->capture_default_str();
+  verb.add_flag("--list", a.list, "name the presets");
+  verb.add_flag("--show", a.show, "print the whole plan and make nothing");
+}
+
 /// CLI11 names a verb it does not know, but not the one that was meant.
 void check_verb(int argc, char** argv, const CLI::App& app) {
   if (argc < 2 || argv[1][0] == '-') return;
@@ -170,6 +188,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& met
   if (app.got_subcommand("detect")) return detect(arguments.detect, methods);
   if (app.got_subcommand("inspect")) return inspect(arguments.inspect);
   if (app.got_subcommand("check")) return check(arguments.check, methods);
+  if (app.got_subcommand("simulate")) return simulate(arguments.simulate);
   if (app.got_subcommand("new")) return start_new(arguments.start_new, methods);
   return list(arguments.list, methods);
 }
@@ -204,6 +223,7 @@ int run_program(int argc, char** argv, const Methods& methods) {
   add_inspect(app, arguments.inspect);
   add_check(app, arguments.check);
   add_new(app, arguments.start_new);
+  add_simulate(app, arguments.simulate);
   add_plugin_option(app, arguments.plugins);
   try {
     check_verb(argc, argv, app);

@@ -85,6 +85,21 @@ struct CheckArguments {
 };
 int check(const CheckArguments& arguments, const Methods& methods);
 
+struct SimulateArguments {
+  std::optional<std::filesystem::path> plan;
+  std::optional<std::string> preset;
+  std::vector<std::string> targets;  ///< else the plan's
+  std::optional<std::uint64_t> seed;
+  std::optional<double> duration_s;
+  std::optional<std::string> gaps;
+  std::optional<std::filesystem::path> out;
+  std::optional<std::filesystem::path> preview;
+  int jobs = 1;
+  bool list = false;
+  bool show = false;  ///< print the plan, make nothing
+};
+int simulate(const SimulateArguments& arguments);
+
 struct NewArguments {
   std::string kind;  ///< detector or tracker
   std::string name;

@@ -1,0 +1,78 @@
+// `relock simulate`: flights whose every frame knows the truth.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <opencv2/core/utility.hpp>
+
+#include "cli/print/targets.h"
+#include "cli/terminal.h"
+#include "cli/verbs.h"
+#include "core/error.h"
+#include "sequences/simulator/flight.h"
+
+namespace relock {
+namespace {
+
+using simulator::FlightPlan;
+
+int list_presets() {
+  for (const simulator::FlightPreset& preset : simulator::flight_presets())
+    fmt::print("{:<10} {}\n", preset.name, preset.sentence);
+  fmt::print(
+      "\n`relock simulate --preset NAME --show` prints every quantity of one, as the plan file that makes "
+      "it\n");
+  return 0;
+}
+
+FlightPlan plan_of(const SimulateArguments& a) {
+  if (a.plan && a.preset) throw Error("a plan names its own preset; leave --preset out");
+  FlightPlan plan =
+      a.plan ? simulator::read_flight_plan(*a.plan) : simulator::flight_preset(a.preset.value_or("ardrone"));
+  if (!a.targets.empty()) plan.targets.clear();
+  for (const std::string& name : a.targets) plan.targets.push_back({.name = name});
+  plan.seed = a.seed.value_or(plan.seed);
+  plan.duration_s = a.duration_s.value_or(plan.duration_s);
+  plan.timing.gaps = a.gaps.value_or(plan.timing.gaps);
+  simulator::check_flight_plan(plan);
+  return plan;
+}
+
+void print_summary(const SimulateArguments& a, const FlightPlan& plan,
+                   const simulator::FlightSummary& flown) {
+  fmt::print(
+      "{}: {} frames of {:g}x{:g}, {:g} s at {:g} Hz{}; over an exposure things move {:.1f} px on average\n",
+      a.out->string(), flown.frames, plan.camera.width, plan.camera.height, plan.duration_s,
+      plan.camera.rate_hz, flown.lost > 0 ? fmt::format(", {} lost by {}", flown.lost, plan.timing.gaps) : "",
+      flown.mean_motion_px);
+  if (flown.capped > 0)
+    fmt::print(
+        "On {} frames {} sub-exposures did not do for steps of {:g} px; the coarsest step is {:.1f} px "
+        "(truth.csv has "
+        "all; exposure.most_steps in a plan allows more)\n",
+        flown.capped, plan.exposure.most_steps, plan.exposure.step_px, flown.coarsest_step_px);
+}
+
+}  // namespace
+
+int simulate(const SimulateArguments& arguments) {
+  if (arguments.list) return list_presets();
+  const FlightPlan plan = plan_of(arguments);
+  if (arguments.show) {
+    fmt::print("{}", simulator::flight_plan_text(plan));
+    return 0;
+  }
+  if (!arguments.out) throw Error("where the flight goes is missing: --out FOLDER");
+  if (arguments.jobs < 1 || arguments.jobs > 256) throw Error("--jobs must be from 1 to 256");
+  cv::setNumThreads(1);  // the frames are made in parallel, not their parts
+  Progress progress("simulating", simulator::frames_of(plan));
+  simulator::FlightOptions options;
+  options.jobs = arguments.jobs;
+  options.preview = arguments.preview;
+  options.progress = [&](std::int64_t frames) { progress.done(frames); };
+  const auto flown = simulator::fly(plan, print_target, *arguments.out, options);
+  print_summary(arguments, plan, flown);
+  return 0;
+}
+
+}  // namespace relock
