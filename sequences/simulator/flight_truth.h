@@ -9,7 +9,8 @@
 namespace relock::simulator {
 
 /// All that is true of a target on one simulated frame (metrics.md section 1). Means are over the exposure, as the
-/// sensor lived through it, rolling shutter and all; the others are at mid-exposure.
+/// sensor lived through it, rolling shutter and all; the others are at mid-exposure. A mean is one over time: where the target's area in
+/// the picture changes during the exposure, its light has another centroid.
 struct FlightTruth {
   TargetTruth label;      ///< means: outline, both centres; blur; what is hidden
   bool in_front = false;  ///< before the camera and facing it; else what follows means nothing
