@@ -7,9 +7,6 @@
 namespace relock::simulator {
 namespace {
 
-/// Four channels worked on at once; both compilers know this form of a vector.
-using Pixel4 = float __attribute__((vector_size(16)));
-
 constexpr float kOpaque = 0.999f;
 constexpr int kChunk = 16;  // pixels of a row that share a level of a texture
 
@@ -42,7 +39,7 @@ struct Renderer::Seen {
   const Texture* texture = nullptr;
   int left = 0, right = -1, top = 0, bottom = -1;  ///< pixels that it may cover, ends included
   bool fine = false;
-  double gloss = 0;
+  float gloss = 0;
   Eigen::Vector3f normal, lamp;  ///< in camera coordinates
   Eigen::Vector3f corner, u_edge, v_edge;
 };
@@ -80,13 +77,20 @@ Renderer::Seen Renderer::see(const Surface& surface, std::size_t index, const Po
   seen.to_plane = from_plane.inverse().cast<float>();
   seen.texture = surface.texture.get();
   seen.fine = fine_[index];
-  seen.gloss = surface.gloss;
+  seen.gloss = static_cast<float>(surface.gloss);
   if (surface.gloss > 0) {
     seen.normal = -normal.normalized().cast<float>();
     seen.lamp = pose.to_camera(scene_.lamp).cast<float>();
     seen.corner = corner.cast<float>(), seen.u_edge = right.cast<float>(), seen.v_edge = down.cast<float>();
   }
 
+  set_bounds(seen, corner, right, down);
+  return seen;
+}
+
+/// The pixels that a rectangle in camera coordinates may cover.
+void Renderer::set_bounds(Seen& seen, const Eigen::Vector3d& corner, const Eigen::Vector3d& right,
+                          const Eigen::Vector3d& down) const {
   // The edges, looked at in many places: a lens bends them, and some may be behind the camera.
   constexpr int kPlaces = 12;
   double left = 1e9, top = 1e9, bottom = -1e9, rightmost = -1e9;
@@ -111,7 +115,6 @@ Renderer::Seen Renderer::see(const Surface& surface, std::size_t index, const Po
   seen.right = static_cast<int>(std::clamp(std::ceil(rightmost + 1 + bend), -1.0, width - 1.0));
   seen.top = static_cast<int>(std::clamp(std::floor(top - 1 - bend), 0.0, static_cast<double>(height)));
   seen.bottom = static_cast<int>(std::clamp(std::ceil(bottom + 1 + bend), -1.0, height - 1.0));
-  return seen;
 }
 
 /// Front to back.
@@ -125,63 +128,71 @@ std::vector<Renderer::Seen> Renderer::seen_at(const Exposure& exposure, double t
   return all;
 }
 
-void Renderer::draw_row(const Seen& seen, Row& row) const {
+/// How a surface is sampled in a short piece of a row.
+struct Renderer::Footprint {
+  const cv::Mat* texture;  ///< the level whose texels are about as large as what a sample stands for
+  float u_edge, v_edge;    ///< pixels in a unit of u and of v
+};
+
+Renderer::Footprint Renderer::footprint_of(const Seen& seen, const float* ray) const {
   const auto per_pixel = static_cast<float>(1 / camera_.focal_px);
   const Eigen::Matrix3f& m = seen.to_plane;
+  const Eigen::Vector3f at = m * Eigen::Vector3f(ray[0], ray[1], 1);
+  const float depth = std::max(at.z(), 1e-6f), u = at.x() / depth, v = at.y() / depth;
+  const float ux = (m(0, 0) - u * m(2, 0)) * per_pixel / depth,
+              uy = (m(0, 1) - u * m(2, 1)) * per_pixel / depth;
+  const float vx = (m(1, 0) - v * m(2, 0)) * per_pixel / depth,
+              vy = (m(1, 1) - v * m(2, 1)) * per_pixel / depth;
   const auto& levels = seen.texture->levels;
   const auto width = static_cast<float>(levels[0].cols), height = static_cast<float>(levels[0].rows);
-  const int samples = seen.fine ? 4 : 1;
-  const float spread = per_pixel / 4;
+  const float texels = std::max(std::hypot(ux * width, vx * height), std::hypot(uy * width, vy * height)) /
+                       (seen.fine ? 2.0f : 1.0f);
+  const float level = std::floor(std::log2(std::max(texels, 1e-6f)) + 0.5f);
+  const auto index = static_cast<std::size_t>(std::clamp(level, 0.0f, static_cast<float>(levels.size() - 1)));
+  return {&levels[index], 1 / std::max(std::hypot(ux, uy), 1e-9f), 1 / std::max(std::hypot(vx, vy), 1e-9f)};
+}
+
+/// What a ray sees of a surface: premultiplied, the fourth is the coverage.
+Pixel4 Renderer::seen_along(const Seen& seen, const Footprint& footprint, float x, float y) {
+  const Eigen::Matrix3f& m = seen.to_plane;
+  const float depth = m(2, 0) * x + m(2, 1) * y + m(2, 2);
+  if (depth <= 0) return Pixel4{0, 0, 0, 0};
+  const float u = (m(0, 0) * x + m(0, 1) * y + m(0, 2)) / depth;
+  const float v = (m(1, 0) * x + m(1, 1) * y + m(1, 2)) / depth;
+  const float covered = clamp01(0.5f + std::min(u, 1 - u) * footprint.u_edge) *
+                        clamp01(0.5f + std::min(v, 1 - v) * footprint.v_edge);
+  if (covered <= 0) return Pixel4{0, 0, 0, 0};
+  Pixel4 texel = sample(*footprint.texture, u, v);
+  if (seen.gloss > 0) {
+    const float spot =
+        seen.gloss * texel[3] * mirrored(seen, seen.corner + u * seen.u_edge + v * seen.v_edge);
+    texel += Pixel4{spot, spot, spot, 0};
+  }
+  return covered * texel;
+}
+
+/// How much of the lamp a point of a glossy surface mirrors: Blinn's half vector.
+float Renderer::mirrored(const Seen& seen, const Eigen::Vector3f& point) {
+  const Eigen::Vector3f half = (seen.lamp - point).normalized() - point.normalized();
+  return std::pow(std::max(half.normalized().dot(seen.normal), 0.0f), 200.0f);
+}
+
+void Renderer::draw_row(const Seen& seen, Row& row) const {
+  const auto aside =
+      static_cast<float>(0.25 / camera_.focal_px);  // of a pixel's four samples, where it has four
   for (int begin = seen.left; begin <= seen.right; begin += kChunk) {
     const int end = std::min(begin + kChunk, seen.right + 1);
-    // How fast u and v change a pixel, in the middle of the chunk.
-    const float* middle = row.rays + 2 * ((begin + end) / 2);
-    const Eigen::Vector3f at = m * Eigen::Vector3f(middle[0], middle[1], 1);
-    if (at.z() <= 0) {
-      const float* first = row.rays + 2 * begin;
-      const float* last = row.rays + 2 * (end - 1);
-      if (m(2, 0) * first[0] + m(2, 1) * first[1] + m(2, 2) <= 0 &&
-          m(2, 0) * last[0] + m(2, 1) * last[1] + m(2, 2) <= 0)
-        continue;
-    }
-    const float depth = per_pixel / std::max(at.z(), 1e-6f), u0 = at.x() / std::max(at.z(), 1e-6f),
-                v0 = at.y() / std::max(at.z(), 1e-6f);
-    const float ux = (m(0, 0) - u0 * m(2, 0)) * depth, uy = (m(0, 1) - u0 * m(2, 1)) * depth;
-    const float vx = (m(1, 0) - v0 * m(2, 0)) * depth, vy = (m(1, 1) - v0 * m(2, 1)) * depth;
-    const float texels = std::max(std::hypot(ux * width, vx * height), std::hypot(uy * width, vy * height)) /
-                         (seen.fine ? 2.0f : 1.0f);
-    const int level = std::clamp(static_cast<int>(std::floor(std::log2(std::max(texels, 1e-6f)) + 0.5f)), 0,
-                                 static_cast<int>(levels.size()) - 1);
-    const cv::Mat& texture = levels[static_cast<std::size_t>(level)];
-    const float u_edge = 1 / std::max(std::hypot(ux, uy), 1e-9f),
-                v_edge = 1 / std::max(std::hypot(vx, vy), 1e-9f);
-
+    const Footprint footprint = footprint_of(seen, row.rays + 2 * ((begin + end) / 2));
     for (int x = begin; x < end; ++x) {
       Pixel4& colour = row.colour[static_cast<std::size_t>(x)];
       if (colour[3] >= kOpaque) continue;
-      Pixel4 sum{0, 0, 0, 0};
-      for (int i = 0; i < samples; ++i) {
-        const float rx = row.rays[2 * x] + (seen.fine ? (i & 1 ? spread : -spread) : 0);
-        const float ry = row.rays[2 * x + 1] + (seen.fine ? (i & 2 ? spread : -spread) : 0);
-        const float w = m(2, 0) * rx + m(2, 1) * ry + m(2, 2);
-        if (w <= 0) continue;
-        const float u = (m(0, 0) * rx + m(0, 1) * ry + m(0, 2)) / w,
-                    v = (m(1, 0) * rx + m(1, 1) * ry + m(1, 2)) / w;
-        const float covered =
-            clamp01(0.5f + std::min(u, 1 - u) * u_edge) * clamp01(0.5f + std::min(v, 1 - v) * v_edge);
-        if (covered <= 0) continue;
-        Pixel4 texel = sample(texture, u, v);
-        if (seen.gloss > 0) {  // Blinn's half vector
-          const Eigen::Vector3f point = seen.corner + u * seen.u_edge + v * seen.v_edge;
-          const float shine =
-              ((seen.lamp - point).normalized() - point.normalized()).normalized().dot(seen.normal);
-          const auto spot =
-              static_cast<float>(seen.gloss) * std::pow(std::max(shine, 0.0f), 200.0f) * texel[3];
-          texel += Pixel4{spot, spot, spot, 0};
-        }
-        sum += covered * texel;
-      }
-      colour += (1 - colour[3]) / static_cast<float>(samples) * sum;
+      const float rx = row.rays[2 * x], ry = row.rays[2 * x + 1];
+      const Pixel4 more = seen.fine ? 0.25f * (seen_along(seen, footprint, rx - aside, ry - aside) +
+                                               seen_along(seen, footprint, rx + aside, ry - aside) +
+                                               seen_along(seen, footprint, rx - aside, ry + aside) +
+                                               seen_along(seen, footprint, rx + aside, ry + aside))
+                                    : seen_along(seen, footprint, rx, ry);
+      colour += (1 - colour[3]) * more;
     }
   }
 }

@@ -8,6 +8,9 @@
 
 namespace relock::simulator {
 
+/// Four channels worked on at once; both compilers know this form of a vector.
+using Pixel4 = float __attribute__((vector_size(16)));
+
 /// Renders frames of a scene, each the mean in linear light of sub-exposures. One renderer may be used by several threads.
 class Renderer {
  public:
@@ -26,10 +29,16 @@ class Renderer {
  private:
   struct Row;
   struct Seen;
+  struct Footprint;
 
   Seen see(const Surface& surface, std::size_t index, const Pose& pose, double t) const;
   std::vector<Seen> seen_at(const Exposure& exposure, double t) const;
   void add_step(const Exposure& exposure, double t, cv::Mat& sum) const;
+  void set_bounds(Seen& seen, const Eigen::Vector3d& corner, const Eigen::Vector3d& right,
+                  const Eigen::Vector3d& down) const;
+  Footprint footprint_of(const Seen& seen, const float* ray) const;
+  static Pixel4 seen_along(const Seen& seen, const Footprint& footprint, float x, float y);
+  static float mirrored(const Seen& seen, const Eigen::Vector3f& point);
   void draw_row(const Seen& seen, Row& row) const;
   std::optional<Eigen::Vector3d> first_hit(const Pose& pose, double t, Vec2 pixel) const;
 
