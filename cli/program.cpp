@@ -30,6 +30,7 @@ struct Arguments {
   CheckArguments check;
   NewArguments start_new;
   SimulateArguments simulate;
+  RealismArguments realism;
   std::vector<std::filesystem::path> plugins;  // of any verb that names methods
 };
 
@@ -148,6 +149,12 @@ void add_simulate(CLI::App& app, SimulateArguments& a) {
   verb.add_flag("--show", a.show, "print the whole plan and make nothing");
 }
 
+void add_realism(CLI::App& app, RealismArguments& a) {
+  CLI::App& verb = *app.add_subcommand("realism", "Compare a simulated flight with real footage, in numbers");
+  verb.add_option("simulated", a.simulated, "the flight")->required();
+  verb.add_option("real", a.real, "a recording, or the name of one that relock comes with; else klahaag");
+}
+
 /// CLI11 names a verb it does not know, but not the one that was meant.
 void check_verb(int argc, char** argv, const CLI::App& app) {
   if (argc < 2 || argv[1][0] == '-') return;
@@ -189,6 +196,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& met
   if (app.got_subcommand("inspect")) return inspect(arguments.inspect);
   if (app.got_subcommand("check")) return check(arguments.check, methods);
   if (app.got_subcommand("simulate")) return simulate(arguments.simulate);
+  if (app.got_subcommand("realism")) return realism(arguments.realism);
   if (app.got_subcommand("new")) return start_new(arguments.start_new, methods);
   return list(arguments.list, methods);
 }
@@ -224,6 +232,7 @@ int run_program(int argc, char** argv, const Methods& methods) {
   add_check(app, arguments.check);
   add_new(app, arguments.start_new);
   add_simulate(app, arguments.simulate);
+  add_realism(app, arguments.realism);
   add_plugin_option(app, arguments.plugins);
   try {
     check_verb(argc, argv, app);

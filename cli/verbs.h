@@ -100,6 +100,13 @@ struct SimulateArguments {
 };
 int simulate(const SimulateArguments& arguments);
 
+struct RealismArguments {
+  std::filesystem::path simulated;
+  std::filesystem::path real = "klahaag";
+};
+/// 1 when something is far from the real footage.
+int realism(const RealismArguments& arguments);
+
 struct NewArguments {
   std::string kind;  ///< detector or tracker
   std::string name;
