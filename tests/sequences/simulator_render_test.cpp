@@ -150,9 +150,10 @@ TEST(Renderer, PutsABlurredDiscWhereTheTruthSays) {
   ExposurePlan plan;
   plan.time_ms = 32;
   double longest = 0;
-  for (const Camera& camera : {Camera{}, distorted()})
+  for (Camera camera : {Camera{}, distorted()})
     for (const double turn : {0.0, 60.0})
-      for (const double t : {0.1, 0.35, 0.8, 1.7, 2.05, 3.1}) {
+      for (const double t : {0.35, 1.7, 3.1}) {
+        camera.picture = {320, 240};  // a part of it is enough, and quicker
         const Scene scene = scene_of_disc(turn);
         const Shown shown = show(scene, camera, looking_about(), plan, t);
         const Instants instants = instants_of(scene, camera, looking_about(), plan, t);
@@ -190,6 +191,7 @@ TEST(Renderer, SmearsAsTheLabelledVectorSays) {
   plan.time_ms = 30;
   plan.step_px = 0.5;
   Camera camera;
+  camera.picture = {240, 160};
   const Scene scene = scene_of_disc();
   const Shown blurred = show(scene, camera, motion, plan);
   const Shown sharp = show(
