@@ -29,6 +29,7 @@ struct Arguments {
   InspectArguments inspect;
   CheckArguments check;
   NewArguments start_new;
+  MarkerArguments marker;
   std::vector<std::filesystem::path> plugins;  // of any verb that names methods
 };
 
@@ -130,6 +131,30 @@ void add_new(CLI::App& app, NewArguments& a) {
   verb.add_option("--in", a.in, "where its folder goes")->capture_default_str();
 }
 
+void add_marker(CLI::App& app, MarkerArguments& a) {
+  CLI::App& verb = *app.add_subcommand("marker", "Print markers at their true size");
+  verb.add_option(
+          "markers", a.markers,
+          "codes, separated by commas: ring:01,ring(geometry=even):010,aruco6x6_250:23,apriltag36h11:5")
+      ->required();
+  verb.add_option("--size", a.size, "diameter of a ring, side of a square; in mm, cm, m or in: 150mm")
+      ->required();
+  verb.add_option("--out,-o", a.out,
+                  "the file; .pdf, .svg or .png, of which the last two are one for each page")
+      ->required();
+  verb.add_option("--paper", a.paper, "a4, a3, letter, or marker: just as large as the marker")
+      ->capture_default_str();
+  verb.add_option("--dpi", a.dpi, "dots per inch of .png")->capture_default_str();
+  verb.add_option("--geometry", a.geometry,
+                  "rings: paper, even, or all radii from the innermost on: 0.2-0.4,0.6-0.7,0.8-1")
+      ->capture_default_str();
+  verb.add_option("--quiet-zone", a.quiet_zone, "rings: black up to this many radii")->capture_default_str();
+  verb.add_option("--soft-border", a.soft_border, "rings: width of the passage to white, in radii")
+      ->capture_default_str();
+  verb.add_flag("--inverted", a.inverted, "rings: black on white");
+  verb.add_flag("--no-caption", a.no_caption, "print no code, size and geometry below");
+}
+
 /// CLI11 names a verb it does not know, but not the one that was meant.
 void check_verb(int argc, char** argv, const CLI::App& app) {
   if (argc < 2 || argv[1][0] == '-') return;
@@ -171,6 +196,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& met
   if (app.got_subcommand("inspect")) return inspect(arguments.inspect);
   if (app.got_subcommand("check")) return check(arguments.check, methods);
   if (app.got_subcommand("new")) return start_new(arguments.start_new, methods);
+  if (app.got_subcommand("marker")) return marker(arguments.marker);
   return list(arguments.list, methods);
 }
 
@@ -204,6 +230,7 @@ int run_program(int argc, char** argv, const Methods& methods) {
   add_inspect(app, arguments.inspect);
   add_check(app, arguments.check);
   add_new(app, arguments.start_new);
+  add_marker(app, arguments.marker);
   add_plugin_option(app, arguments.plugins);
   try {
     check_verb(argc, argv, app);
