@@ -82,8 +82,9 @@ bool is_ring_family(std::string_view family) {
 [[noreturn]] void refuse_family(const std::string& family) {
   std::vector<std::string> known = square_marker_families();
   known.insert(known.begin(), {"ring", "disc"});
-  throw Error(fmt::format("no markers are called \"{}\"{}; there are {}", family, did_you_mean(family, known),
-                          fmt::join(known, ", ")));
+  const std::string meant = did_you_mean(family, known);
+  throw Error(fmt::format("no markers are called \"{}\"{}", family,
+                          meant.empty() ? fmt::format("; there are {}", fmt::join(known, ", ")) : meant));
 }
 
 std::string ring_caption(const RingMarker& marker) {
@@ -94,13 +95,15 @@ std::string ring_caption(const RingMarker& marker) {
     const Annulus& s = geometry.slots[slot];
     slots.push_back(fmt::format("{}{:.4g}-{:.4g}{}", bit ? "(" : "", s.inner, s.outer, bit ? ")" : ""));
   }
-  return fmt::format("rings (bits) r/R {}; sheet to {:.4g}", fmt::join(slots, " "), geometry.sheet_radius());
+  const std::string sheet = geometry.inverted ? fmt::format("white to {:.4g}", geometry.quiet_zone)
+                                              : fmt::format("black to {:.4g}, white from {:.4g}",
+                                                            geometry.quiet_zone, geometry.sheet_radius());
+  return fmt::format("rings (bits) r/R {}; {}", fmt::join(slots, " "), sheet);
 }
 
 std::string cells_caption(const MarkerCells& cells, double size_m) {
   const int across = cells.side - 2 * cells.margin;
-  return fmt::format("side of the outline {} x {} cells of {:.4g} mm", across, across,
-                     1000 * size_m / across);
+  return fmt::format("the side is {} cells of {:.4g} mm", across, 1000 * size_m / across);
 }
 
 }  // namespace
@@ -147,7 +150,7 @@ std::vector<std::string> caption_of(const Design& design, double size_m) {
           : design.name;
   const std::string size = fmt::format("{:.5g} mm", 1000 * size_m);
   if (const auto* cells = std::get_if<MarkerCells>(&design.form))
-    return {fmt::format("{}   {}", label, size), cells_caption(*cells, size_m)};
+    return {fmt::format("{}   side {}", label, size), cells_caption(*cells, size_m)};
   const auto& ring = std::get<RingMarker>(design.form);
   if (!design.code) return {fmt::format("{}   diameter {}", label, size)};
   const std::string slots = slots_text(ring.geometry);
