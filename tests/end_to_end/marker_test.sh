@@ -27,7 +27,10 @@ expect "it is a PDF" "%PDF" "$(head -c 4 "$work/marker.pdf")"
 all=ring:00,ring:01,aruco6x6_250:23,apriltag36h11:5
 for ending in pdf svg png; do
   marker $all --size 90mm --paper a4 -o "$work/one.$ending" >/dev/null
-  mkdir -p "$work/again"
+done
+sleep 1.1  # PDF can hold the second in which it was made
+mkdir "$work/again"
+for ending in pdf svg png; do
   marker $all --size 90mm --paper a4 -o "$work/again/one.$ending" >/dev/null
 done
 expect "one file for each page" "one-2.png one-2.svg one.pdf one.png one.svg" "$(cd "$work" && echo one*)"
