@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
+#include "cli/arguments.h"
 #include "cli/plugins/plugins.h"
-#include "cli/verbs.h"
 #include "cli/version.h"
 #include "core/error.h"
 #include "core/nearest.h"
@@ -18,142 +18,6 @@ namespace {
 
 constexpr int kPartly = 1;  // something that was asked for was not done, the rest was
 constexpr int kUserError = 2;
-
-/// The arguments of all verbs, filled in by CLI11.
-struct Arguments {
-  RunArguments run;
-  ScoreArguments score;
-  TimelineArguments timeline;
-  DetectArguments detect;
-  ListArguments list;
-  InspectArguments inspect;
-  CheckArguments check;
-  NewArguments start_new;
-  SimulateArguments simulate;
-  RealismArguments realism;
-  std::vector<std::filesystem::path> plugins;  // of any verb that names methods
-};
-
-template <class Text>
-CLI::Option* add_gate(CLI::App& verb, Text& gate, const std::string& when) {
-  return verb.add_option("--gate", gate,
-                         when + ": centre (within 0.25 D) or iou (overlap of boxes at least 0.5)");
-}
-
-void add_run(CLI::App& app, RunArguments& a) {
-  CLI::App& verb = *app.add_subcommand("run", "Show recordings to methods and write down what they say");
-  verb.add_option("plan", a.plan, "a plan file (TOML): sequences x gaps x methods x protocols x seeds");
-  verb.add_option("--sequence", a.sequence,
-                  "the recording: a path, or one that relock comes with: klahaag (if none is given), "
-                  "klahaag-prints");
-  verb.add_option("--labels", a.labels, "its labels; else labels.csv in the recording's folder");
-  verb.add_option("--rate", a.rate_hz, "nominal rate, Hz; also makes the times of a recording that has none");
-  verb.add_option("--format", a.format, "how it is kept on disk; else recognised");
-  verb.add_option("--topic", a.topic, "ROS bags: of the pictures; else the only one that has any");
-  verb.add_option("--methods", a.methods, "names, separated by commas: kcf,aruco,csrt(psr_threshold=0.05)");
-  verb.add_option("--protocol", a.protocol,
-                  "once (if none is given), reset (start again after a loss) or detect (no start)");
-  verb.add_option("--gaps", a.gaps,
-                  "frames lost on the way: none, paper, paper-6s, bernoulli(p), gilbert-elliott(p,r), "
-                  "periodic(n,k), trace(file) or fps(n)");
-  verb.add_option("--seed", a.seed, "of everything drawn at random; else 1");
-  add_gate(verb, a.gate, "protocol reset: when an answer is a Hit");
-  verb.add_option("--out", a.out, "folder for the results; else results");
-  verb.add_option("--jobs,-j", a.jobs,
-                  "runs at a time; the results are the same for any number, their timing is not")
-      ->capture_default_str();
-  verb.add_option("--frame-limit", a.frame_limit_s,
-                  "seconds that a method may take for one frame before it counts as hung; else 60");
-  verb.add_option("--memory-limit", a.memory_limit_mb, "MB that a run may allocate; else 4096");
-  verb.add_flag("--dry-run", a.dry_run, "list what would be run, and estimate how long it takes");
-}
-
-void add_score(CLI::App& app, ScoreArguments& a) {
-  CLI::App& verb =
-      *app.add_subcommand("score", "Score runs: recognition, availability, losses, recovery, exactness");
-  verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
-  verb.add_flag("--json", a.json, "print scores as JSON");
-  add_gate(verb, a.gate, "when an answer is a Hit");
-}
-
-void add_timeline(CLI::App& app, TimelineArguments& a) {
-  CLI::App& verb =
-      *app.add_subcommand("timeline", "Show when each method had the target, lost it and had it back");
-  verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
-  verb.add_option("--target", a.target, "only this target");
-  verb.add_flag("--ascii", a.ascii, "letters only, without colour");
-  add_gate(verb, a.gate, "when an answer is a Hit");
-}
-
-void add_detect(CLI::App& app, DetectArguments& a) {
-  CLI::App& verb = *app.add_subcommand("detect", "Look for targets in single pictures");
-  verb.add_option("images", a.images, "pictures")->required();
-  verb.add_option("--method", a.method, "a detector, with options: aruco(dictionary=4x4_50)")->required();
-  verb.add_flag("--json", a.json, "print one JSON object a picture and line");
-  verb.add_option("--draw", a.draw, "write the picture with what was found drawn on it");
-}
-
-void add_list(CLI::App& app, ListArguments& a) {
-  CLI::App& verb = *app.add_subcommand("list", "Show all methods");
-  verb.add_flag("-v,--verbose", a.verbose, "with their options, defaults and units");
-  verb.add_flag("--json", a.json, "print them as JSON");
-}
-
-void add_inspect(CLI::App& app, InspectArguments& a) {
-  CLI::App& verb = *app.add_subcommand(
-      "inspect", "Tell what a recording is and what it is fit for: gaps, labels, steps, blur");
-  verb.add_option("recording", a.path, "the recording, or the name of one that relock comes with")
-      ->required();
-  verb.add_option("--labels", a.labels, "its labels; else labels.csv in the recording's folder");
-  verb.add_option("--rate", a.rate_hz, "nominal rate, Hz; also makes the times of a recording that has none");
-  verb.add_option("--format", a.format, "how it is kept on disk; else recognised");
-  verb.add_option("--topic", a.topic, "ROS bags: of the pictures; else the only one that has any");
-  verb.add_flag("--no-pictures", a.no_pictures, "do not read the pictures: nothing is said of blur");
-  verb.add_flag("--json", a.json, "print everything as JSON, frame by frame");
-}
-
-void add_check(CLI::App& app, CheckArguments& a) {
-  CLI::App& verb =
-      *app.add_subcommand("check", "Check that methods keep what trackers and detectors promise");
-  verb.add_option("methods", a.methods, "names, separated by commas");
-  verb.add_flag("--all", a.all, "every tracker and detector");
-  verb.add_option("--check", a.only, "make only this check");
-  verb.add_option("--frames", a.frames, "shown by the check memory")->capture_default_str();
-  verb.add_option("--budget", a.budget_s, "most time that the check memory takes, s")->capture_default_str();
-  verb.add_option("--silence", a.silence_s, "longest time that one answer may take, s")
-      ->capture_default_str();
-  verb.add_flag("--json", a.json, "print the results as JSON");
-}
-
-void add_new(CLI::App& app, NewArguments& a) {
-  CLI::App& verb = *app.add_subcommand("new", "Begin a plug-in of your own");
-  verb.add_option("kind", a.kind, "detector or tracker")->required();
-  verb.add_option("name", a.name, "its name: lower case letters, digits and _")->required();
-  verb.add_option("--in", a.in, "where its folder goes")->capture_default_str();
-}
-
-void add_simulate(CLI::App& app, SimulateArguments& a) {
-  CLI::App& verb = *app.add_subcommand("simulate", "Make a flight whose every frame knows the truth");
-  verb.add_option("plan", a.plan, "a plan file (TOML) that states what differs from its preset");
-  verb.add_option("--preset", a.preset, "what to fly; --list names all; else ardrone");
-  verb.add_option("--target", a.targets, "a target as `relock marker` takes it, 150 mm large; repeatable")
-      ->allow_extra_args(false);
-  verb.add_option("--seed", a.seed, "of everything drawn at random; else 1");
-  verb.add_option("--duration", a.duration_s, "of the flight, s; else 10");
-  verb.add_option("--gaps", a.gaps, "frames that are not recorded: a pattern as of `relock run`");
-  verb.add_option("--out", a.out, "the recording's folder; it must not be there yet");
-  verb.add_option("--preview", a.preview, "write a video of it, too (.mp4)");
-  verb.add_option("--jobs,-j", a.jobs, "frames made at a time; the bytes are the same for any number")
-      ->capture_default_str();
-  verb.add_flag("--list", a.list, "name the presets");
-  verb.add_flag("--show", a.show, "print the whole plan and make nothing");
-}
-
-void add_realism(CLI::App& app, RealismArguments& a) {
-  CLI::App& verb = *app.add_subcommand("realism", "Compare a simulated flight with real footage, in numbers");
-  verb.add_option("simulated", a.simulated, "the flight")->required();
-  verb.add_option("real", a.real, "a recording, or the name of one that relock comes with; else klahaag");
-}
 
 /// CLI11 names a verb it does not know, but not the one that was meant.
 void check_verb(int argc, char** argv, const CLI::App& app) {
@@ -198,6 +62,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& met
   if (app.got_subcommand("simulate")) return simulate(arguments.simulate);
   if (app.got_subcommand("realism")) return realism(arguments.realism);
   if (app.got_subcommand("new")) return start_new(arguments.start_new, methods);
+  if (app.got_subcommand("marker")) return marker(arguments.marker);
   return list(arguments.list, methods);
 }
 
@@ -223,16 +88,7 @@ int run_program(int argc, char** argv, const Methods& methods) {
   Arguments arguments;
   app.set_version_flag("--version", std::string("relock ") + kVersion);
   app.require_subcommand(1);
-  add_run(app, arguments.run);
-  add_score(app, arguments.score);
-  add_timeline(app, arguments.timeline);
-  add_detect(app, arguments.detect);
-  add_list(app, arguments.list);
-  add_inspect(app, arguments.inspect);
-  add_check(app, arguments.check);
-  add_new(app, arguments.start_new);
-  add_simulate(app, arguments.simulate);
-  add_realism(app, arguments.realism);
+  add_verbs(app, arguments);
   add_plugin_option(app, arguments.plugins);
   try {
     check_verb(argc, argv, app);

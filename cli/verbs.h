@@ -114,4 +114,18 @@ struct NewArguments {
 };
 int start_new(const NewArguments& arguments, const Methods& methods);
 
+struct MarkerArguments {
+  std::vector<std::string> markers;  ///< names (cli/print/design.h), lists of them separated by commas
+  std::string size;                  ///< with its unit: 150mm
+  std::filesystem::path out;         ///< ends in .pdf, .svg or .png
+  std::string paper = "marker";
+  double dpi = 300;                ///< of .png
+  std::string geometry = "paper";  ///< of rings, and the next three
+  double quiet_zone = 1.3;         ///< in R
+  double soft_border = 0.04;       ///< in R
+  bool inverted = false;
+  bool no_caption = false;
+};
+int marker(const MarkerArguments& arguments);
+
 }  // namespace relock

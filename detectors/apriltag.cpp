@@ -37,12 +37,6 @@ constexpr NamedFamily kFamilies[] = {
     {"tagCircle21h7", tagCircle21h7_create, tagCircle21h7_destroy},
 };
 
-std::vector<std::string> family_names() {
-  std::vector<std::string> names;
-  for (const auto& family : kFamilies) names.emplace_back(family.name);
-  return names;
-}
-
 using FamilyPtr = std::unique_ptr<apriltag_family_t, void (*)(apriltag_family_t*)>;
 using DetectorPtr = std::unique_ptr<apriltag_detector_t, void (*)(apriltag_detector_t*)>;
 using DetectionsPtr = std::unique_ptr<zarray_t, void (*)(zarray_t*)>;
@@ -57,7 +51,7 @@ void free_image(image_u8_t* image) {
 FamilyPtr family_called(const std::string& name) {
   for (const auto& family : kFamilies)
     if (name == family.name) return {family.create(), family.destroy};
-  throw Error(fmt::format("apriltag has no family \"{}\"{}", name, did_you_mean(name, family_names())));
+  throw Error(fmt::format("apriltag has no family \"{}\"{}", name, did_you_mean(name, apriltag_families())));
 }
 
 DetectorPtr detector_of(const ApriltagOptions& options, apriltag_family_t* family) {
@@ -133,7 +127,7 @@ class ApriltagDetector final : public Detector {
 std::vector<OptionInfo> apriltag_option_list() {
   const ApriltagOptions d;
   return {
-      {"family", d.family, "", fmt::format("the set of tags: {}", fmt::join(family_names(), ", "))},
+      {"family", d.family, "", fmt::format("the set of tags: {}", fmt::join(apriltag_families(), ", "))},
       {"decimate", fmt::format("{}", d.decimate), "",
        "look for tags in a picture this many times smaller; faster, and misses small tags"},
       {"sigma_px", fmt::format("{}", d.sigma_px), "px",
@@ -147,7 +141,7 @@ std::vector<OptionInfo> apriltag_option_list() {
 }
 
 ApriltagOptions apriltag_options(const Options& given) {
-  return {.family = given.word("family", family_names()),
+  return {.family = given.word("family", apriltag_families()),
           .decimate = given.number("decimate", 1, 16),
           .sigma_px = given.number("sigma_px", -10, 10),
           .threads = given.whole("threads", 1, 64),
@@ -159,6 +153,12 @@ std::string apriltag_family(const ApriltagOptions& options) { return "april" + o
 
 std::unique_ptr<Detector> apriltag_detector(const ApriltagOptions& options) {
   return std::make_unique<ApriltagDetector>(options);
+}
+
+std::vector<std::string> apriltag_families() {
+  std::vector<std::string> names;
+  for (const auto& family : kFamilies) names.emplace_back(family.name);
+  return names;
 }
 
 MarkerCells apriltag_cells(const std::string& family, int id) {

@@ -35,6 +35,8 @@ std::string apriltag_family(const ApriltagOptions& options);
 /// confidence first.
 std::unique_ptr<Detector> apriltag_detector(const ApriltagOptions& options);
 
+/// The families it knows: "tag36h11", "tag25h9" …
+std::vector<std::string> apriltag_families();
 /// The print of tag `id`. Throws Error if the family has no such tag.
 MarkerCells apriltag_cells(const std::string& family, int id);
 

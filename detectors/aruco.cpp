@@ -30,16 +30,11 @@ constexpr NamedDictionary kDictionaries[] = {
     {"original", cv::aruco::DICT_ARUCO_ORIGINAL},
 };
 
-std::vector<std::string> dictionary_names() {
-  std::vector<std::string> names;
-  for (const auto& dictionary : kDictionaries) names.emplace_back(dictionary.name);
-  return names;
-}
-
 cv::aruco::Dictionary dictionary_called(const std::string& name) {
   for (const auto& dictionary : kDictionaries)
     if (name == dictionary.name) return aruco_library::dictionary(dictionary.number);
-  throw Error(fmt::format("aruco has no dictionary \"{}\"{}", name, did_you_mean(name, dictionary_names())));
+  throw Error(
+      fmt::format("aruco has no dictionary \"{}\"{}", name, did_you_mean(name, aruco_dictionaries())));
 }
 
 cv::aruco::DetectorParameters parameters_of(const ArucoOptions& options) {
@@ -152,7 +147,7 @@ std::vector<OptionInfo> aruco_option_list() {
 }
 
 ArucoOptions aruco_options(const Options& given) {
-  return {.dictionary = given.word("dictionary", dictionary_names()),
+  return {.dictionary = given.word("dictionary", aruco_dictionaries()),
           .corner_refinement = given.word("corner_refinement", {"none", "subpix", "contour"}),
           .min_side_px = given.number("min_side_px", 4, 10000),
           .error_correction = given.number("error_correction", 0, 1),
@@ -163,6 +158,12 @@ std::string aruco_family(const ArucoOptions& options) { return "aruco" + options
 
 std::unique_ptr<Detector> aruco_detector(const ArucoOptions& options) {
   return std::make_unique<ArucoDetector>(options);
+}
+
+std::vector<std::string> aruco_dictionaries() {
+  std::vector<std::string> names;
+  for (const auto& dictionary : kDictionaries) names.emplace_back(dictionary.name);
+  return names;
 }
 
 MarkerCells aruco_cells(const std::string& dictionary, int id) {

@@ -30,6 +30,8 @@ std::string aruco_family(const ArucoOptions& options);
 /// Quad, and confidence 1, because the library gives no score. Larger markers come first.
 std::unique_ptr<Detector> aruco_detector(const ArucoOptions& options);
 
+/// The dictionaries it knows: "4x4_50" … "7x7_1000", "original".
+std::vector<std::string> aruco_dictionaries();
 /// The print of marker `id`. Throws Error if the dictionary has no such marker.
 MarkerCells aruco_cells(const std::string& dictionary, int id);
 

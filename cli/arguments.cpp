@@ -1,0 +1,171 @@
+// What the program can be asked on the command line.
+
+#include "cli/arguments.h"
+
+#include <CLI/CLI.hpp>
+
+namespace relock {
+namespace {
+
+template <class Text>
+CLI::Option* add_gate(CLI::App& verb, Text& gate, const std::string& when) {
+  return verb.add_option("--gate", gate,
+                         when + ": centre (within 0.25 D) or iou (overlap of boxes at least 0.5)");
+}
+
+void add_run(CLI::App& app, RunArguments& a) {
+  CLI::App& verb = *app.add_subcommand("run", "Show recordings to methods and write down what they say");
+  verb.add_option("plan", a.plan, "a plan file (TOML): sequences x gaps x methods x protocols x seeds");
+  verb.add_option("--sequence", a.sequence,
+                  "the recording: a path, or one that relock comes with: klahaag (if none is given), "
+                  "klahaag-prints");
+  verb.add_option("--labels", a.labels, "its labels; else labels.csv in the recording's folder");
+  verb.add_option("--rate", a.rate_hz, "nominal rate, Hz; also makes the times of a recording that has none");
+  verb.add_option("--format", a.format, "how it is kept on disk; else recognised");
+  verb.add_option("--topic", a.topic, "ROS bags: of the pictures; else the only one that has any");
+  verb.add_option("--methods", a.methods, "names, separated by commas: kcf,aruco,csrt(psr_threshold=0.05)");
+  verb.add_option("--protocol", a.protocol,
+                  "once (if none is given), reset (start again after a loss) or detect (no start)");
+  verb.add_option("--gaps", a.gaps,
+                  "frames lost on the way: none, paper, paper-6s, bernoulli(p), gilbert-elliott(p,r), "
+                  "periodic(n,k), trace(file) or fps(n)");
+  verb.add_option("--seed", a.seed, "of everything drawn at random; else 1");
+  add_gate(verb, a.gate, "protocol reset: when an answer is a Hit");
+  verb.add_option("--out", a.out, "folder for the results; else results");
+  verb.add_option("--jobs,-j", a.jobs,
+                  "runs at a time; the results are the same for any number, their timing is not")
+      ->capture_default_str();
+  verb.add_option("--frame-limit", a.frame_limit_s,
+                  "seconds that a method may take for one frame before it counts as hung; else 60");
+  verb.add_option("--memory-limit", a.memory_limit_mb, "MB that a run may allocate; else 4096");
+  verb.add_flag("--dry-run", a.dry_run, "list what would be run, and estimate how long it takes");
+}
+
+void add_score(CLI::App& app, ScoreArguments& a) {
+  CLI::App& verb =
+      *app.add_subcommand("score", "Score runs: recognition, availability, losses, recovery, exactness");
+  verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
+  verb.add_flag("--json", a.json, "print scores as JSON");
+  add_gate(verb, a.gate, "when an answer is a Hit");
+}
+
+void add_timeline(CLI::App& app, TimelineArguments& a) {
+  CLI::App& verb =
+      *app.add_subcommand("timeline", "Show when each method had the target, lost it and had it back");
+  verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
+  verb.add_option("--target", a.target, "only this target");
+  verb.add_flag("--ascii", a.ascii, "letters only, without colour");
+  add_gate(verb, a.gate, "when an answer is a Hit");
+}
+
+void add_detect(CLI::App& app, DetectArguments& a) {
+  CLI::App& verb = *app.add_subcommand("detect", "Look for targets in single pictures");
+  verb.add_option("images", a.images, "pictures")->required();
+  verb.add_option("--method", a.method, "a detector, with options: aruco(dictionary=4x4_50)")->required();
+  verb.add_flag("--json", a.json, "print one JSON object a picture and line");
+  verb.add_option("--draw", a.draw, "write the picture with what was found drawn on it");
+}
+
+void add_list(CLI::App& app, ListArguments& a) {
+  CLI::App& verb = *app.add_subcommand("list", "Show all methods");
+  verb.add_flag("-v,--verbose", a.verbose, "with their options, defaults and units");
+  verb.add_flag("--json", a.json, "print them as JSON");
+}
+
+void add_inspect(CLI::App& app, InspectArguments& a) {
+  CLI::App& verb = *app.add_subcommand(
+      "inspect", "Tell what a recording is and what it is fit for: gaps, labels, steps, blur");
+  verb.add_option("recording", a.path, "the recording, or the name of one that relock comes with")
+      ->required();
+  verb.add_option("--labels", a.labels, "its labels; else labels.csv in the recording's folder");
+  verb.add_option("--rate", a.rate_hz, "nominal rate, Hz; also makes the times of a recording that has none");
+  verb.add_option("--format", a.format, "how it is kept on disk; else recognised");
+  verb.add_option("--topic", a.topic, "ROS bags: of the pictures; else the only one that has any");
+  verb.add_flag("--no-pictures", a.no_pictures, "do not read the pictures: nothing is said of blur");
+  verb.add_flag("--json", a.json, "print everything as JSON, frame by frame");
+}
+
+void add_check(CLI::App& app, CheckArguments& a) {
+  CLI::App& verb =
+      *app.add_subcommand("check", "Check that methods keep what trackers and detectors promise");
+  verb.add_option("methods", a.methods, "names, separated by commas");
+  verb.add_flag("--all", a.all, "every tracker and detector");
+  verb.add_option("--check", a.only, "make only this check");
+  verb.add_option("--frames", a.frames, "shown by the check memory")->capture_default_str();
+  verb.add_option("--budget", a.budget_s, "most time that the check memory takes, s")->capture_default_str();
+  verb.add_option("--silence", a.silence_s, "longest time that one answer may take, s")
+      ->capture_default_str();
+  verb.add_flag("--json", a.json, "print the results as JSON");
+}
+
+void add_new(CLI::App& app, NewArguments& a) {
+  CLI::App& verb = *app.add_subcommand("new", "Begin a plug-in of your own");
+  verb.add_option("kind", a.kind, "detector or tracker")->required();
+  verb.add_option("name", a.name, "its name: lower case letters, digits and _")->required();
+  verb.add_option("--in", a.in, "where its folder goes")->capture_default_str();
+}
+
+void add_simulate(CLI::App& app, SimulateArguments& a) {
+  CLI::App& verb = *app.add_subcommand("simulate", "Make a flight whose every frame knows the truth");
+  verb.add_option("plan", a.plan, "a plan file (TOML) that states what differs from its preset");
+  verb.add_option("--preset", a.preset, "what to fly; --list names all; else ardrone");
+  verb.add_option("--target", a.targets, "a target as `relock marker` takes it, 150 mm large; repeatable")
+      ->allow_extra_args(false);
+  verb.add_option("--seed", a.seed, "of everything drawn at random; else 1");
+  verb.add_option("--duration", a.duration_s, "of the flight, s; else 10");
+  verb.add_option("--gaps", a.gaps, "frames that are not recorded: a pattern as of `relock run`");
+  verb.add_option("--out", a.out, "the recording's folder; it must not be there yet");
+  verb.add_option("--preview", a.preview, "write a video of it, too (.mp4)");
+  verb.add_option("--jobs,-j", a.jobs, "frames made at a time; the bytes are the same for any number")
+      ->capture_default_str();
+  verb.add_flag("--list", a.list, "name the presets");
+  verb.add_flag("--show", a.show, "print the whole plan and make nothing");
+}
+
+void add_realism(CLI::App& app, RealismArguments& a) {
+  CLI::App& verb = *app.add_subcommand("realism", "Compare a simulated flight with real footage, in numbers");
+  verb.add_option("simulated", a.simulated, "the flight")->required();
+  verb.add_option("real", a.real, "a recording, or the name of one that relock comes with; else klahaag");
+}
+
+void add_marker(CLI::App& app, MarkerArguments& a) {
+  CLI::App& verb = *app.add_subcommand("marker", "Print markers at their true size");
+  verb.add_option(
+          "markers", a.markers,
+          "codes, separated by commas: ring:01,ring(geometry=even):010,aruco6x6_250:23,apriltag36h11:5")
+      ->required();
+  verb.add_option("--size", a.size, "diameter of a ring, side of a square; in mm, cm, m or in: 150mm")
+      ->required();
+  verb.add_option("--out,-o", a.out,
+                  "the file; .pdf, .svg or .png, of which the last two are one for each page")
+      ->required();
+  verb.add_option("--paper", a.paper, "a4, a3, letter, or marker: just as large as the marker")
+      ->capture_default_str();
+  verb.add_option("--dpi", a.dpi, "dots per inch of .png")->capture_default_str();
+  verb.add_option("--geometry", a.geometry,
+                  "rings: paper, even, or all radii from the innermost on: 0.2-0.4,0.6-0.7,0.8-1")
+      ->capture_default_str();
+  verb.add_option("--quiet-zone", a.quiet_zone, "rings: black up to this many radii")->capture_default_str();
+  verb.add_option("--soft-border", a.soft_border, "rings: width of the passage to white, in radii")
+      ->capture_default_str();
+  verb.add_flag("--inverted", a.inverted, "rings: black on white");
+  verb.add_flag("--no-caption", a.no_caption, "print no code, size and geometry below");
+}
+
+}  // namespace
+
+void add_verbs(CLI::App& app, Arguments& arguments) {
+  add_run(app, arguments.run);
+  add_score(app, arguments.score);
+  add_timeline(app, arguments.timeline);
+  add_detect(app, arguments.detect);
+  add_list(app, arguments.list);
+  add_inspect(app, arguments.inspect);
+  add_check(app, arguments.check);
+  add_new(app, arguments.start_new);
+  add_simulate(app, arguments.simulate);
+  add_realism(app, arguments.realism);
+  add_marker(app, arguments.marker);
+}
+
+}  // namespace relock

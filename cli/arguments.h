@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "cli/verbs.h"
+
+namespace CLI {
+class App;
+}
+
+namespace relock {
+
+/// The arguments of all verbs, filled in by CLI11.
+struct Arguments {
+  RunArguments run;
+  ScoreArguments score;
+  TimelineArguments timeline;
+  DetectArguments detect;
+  ListArguments list;
+  InspectArguments inspect;
+  CheckArguments check;
+  NewArguments start_new;
+  SimulateArguments simulate;
+  RealismArguments realism;
+  MarkerArguments marker;
+  std::vector<std::filesystem::path> plugins;  // of any verb that names methods
+};
+
+/// Tells `app` of every verb and where its arguments go.
+void add_verbs(CLI::App& app, Arguments& arguments);
+
+}  // namespace relock
