@@ -28,7 +28,8 @@ cv::Scalar paint(double red, double green, double blue) { return {coded(blue), c
 
 Canvas::Canvas(const cv::Rect2d& area_, double texels_per_m)
     : area(area_),
-      picture(whole(area_.height * texels_per_m), whole(area_.width * texels_per_m), CV_8UC3, cv::Scalar(0)) {}
+      picture(whole(area_.height * texels_per_m), whole(area_.width * texels_per_m), CV_8UC3, cv::Scalar(0)) {
+}
 
 cv::Point2d Canvas::pixel(const cv::Point2d& place) const {
   return {(place.x - area.x) * picture.cols / area.width - 0.5,
@@ -63,7 +64,8 @@ void Canvas::line(const cv::Point2d& from, const cv::Point2d& to, double width, 
   fill({from + side, to + side, to - side, from - side}, colour);
 }
 
-void Canvas::write(const std::string& text, const cv::Point2d& start, double height, const cv::Scalar& colour) {
+void Canvas::write(const std::string& text, const cv::Point2d& start, double height,
+                   const cv::Scalar& colour) {
   // A capital of this typeface is 21 px high at scale 1.
   const double scale = height * texels_per_m() / 21.0;
   cv::putText(picture, text, pixel(start), cv::FONT_HERSHEY_DUPLEX, scale, colour, whole(2.2 * scale),

@@ -85,7 +85,8 @@ void paint_door(Canvas& canvas, const cv::Rect2d& door, std::uint64_t seed) {
   canvas.fill(door, paint(0.36 + 0.2 * bright, 0.22 + 0.2 * bright, 0.11 + 0.2 * bright));
   for (int i = 0; i < 4; ++i) {
     const double width = door.width / 2 - 0.14, height = i / 2 == 0 ? 0.75 : 0.85;
-    const cv::Rect2d panel{door.x + 0.1 + i % 2 * (width + 0.08), door.y + (i / 2 == 0 ? 0.12 : 1.02), width, height};
+    const cv::Rect2d panel{door.x + 0.1 + i % 2 * (width + 0.08), door.y + (i / 2 == 0 ? 0.12 : 1.02), width,
+                           height};
     canvas.fill(panel, paint(0.20 + 0.1 * bright, 0.12 + 0.1 * bright, 0.06 + 0.1 * bright));
     canvas.fill(shrunk(panel, 0.02), paint(0.40 + 0.2 * bright, 0.25 + 0.2 * bright, 0.13 + 0.2 * bright));
   }
@@ -102,7 +103,8 @@ void paint_books(Canvas& canvas, const cv::Rect2d& board, Random& random) {
     canvas.fill(back, some_colour(random, 0.05, 0.6));
     canvas.fill({x, back.y, 0.003, height}, paint(0.05));
     const cv::Scalar label = some_colour(random, 0.5, 0.8);
-    if (random.chance(0.6)) canvas.fill({x + 0.004, back.y + 0.15 * height, width - 0.008, 0.2 * height}, label);
+    if (random.chance(0.6))
+      canvas.fill({x + 0.004, back.y + 0.15 * height, width - 0.008, 0.2 * height}, label);
     x += width + (random.chance(0.08) ? 0.1 * random.uniform() : 0.0);
   }
 }
@@ -129,7 +131,8 @@ void paint_rug(Canvas& canvas, const cv::Size2d& size, std::uint64_t seed) {
 
 }  // namespace
 
-Decoration decoration_of(Side side, const cv::Size2d& size, const std::optional<cv::Rect2d>& free, Random random) {
+Decoration decoration_of(Side side, const cv::Size2d& size, const std::optional<cv::Rect2d>& free,
+                         Random random) {
   Decoration made{.finish = finish_of(side, random), .window = {}, .door = {}, .shelf = {}, .seed = 0};
   made.seed = random.next();
   const auto keep = [&](const cv::Rect2d& thing) {
@@ -141,11 +144,18 @@ Decoration decoration_of(Side side, const cv::Size2d& size, const std::optional<
       made.window = keep({0.25 + 0.2 * random.uniform(), 0.5, 1.1, 1.3});
       made.shelf = keep({right - 1.35, low - 2.1, 1.05, 2.0});
       break;
-    case Side::left: made.window = keep({right / 2 - 1, 0.45, 1.7, 1.4}); break;
-    case Side::right: made.shelf = keep({right / 2 - 0.9, low - 2.2, 2.2, 2.1}); break;
-    case Side::behind: made.door = keep({right / 2 + 0.3 * random.uniform(), low - 2.05, 0.9, 2.05}); break;
+    case Side::left:
+      made.window = keep({right / 2 - 1, 0.45, 1.7, 1.4});
+      break;
+    case Side::right:
+      made.shelf = keep({right / 2 - 0.9, low - 2.2, 2.2, 2.1});
+      break;
+    case Side::behind:
+      made.door = keep({right / 2 + 0.3 * random.uniform(), low - 2.05, 0.9, 2.05});
+      break;
     case Side::floor:
-    case Side::ceiling: break;
+    case Side::ceiling:
+      break;
   }
   return made;
 }

@@ -21,11 +21,13 @@ struct Approach {
   double share, distance;
 };
 
-Approach approach(const Vector3d& from, const Vector3d& to, const Vector3d& other_from, const Vector3d& other_to) {
+Approach approach(const Vector3d& from, const Vector3d& to, const Vector3d& other_from,
+                  const Vector3d& other_to) {
   const Vector3d a = to - from, b = other_to - other_from, between = from - other_from;
   const double aa = a.squaredNorm(), bb = b.squaredNorm(), ab = a.dot(b);
   const double across = aa * bb - ab * ab;
-  double s = across > 1e-12 ? std::clamp((ab * b.dot(between) - bb * a.dot(between)) / across, 0.0, 1.0) : 0.5;
+  double s =
+      across > 1e-12 ? std::clamp((ab * b.dot(between) - bb * a.dot(between)) / across, 0.0, 1.0) : 0.5;
   const double t = std::clamp((ab * s + b.dot(between)) / bb, 0.0, 1.0);
   s = std::clamp((ab * t - a.dot(between)) / aa, 0.0, 1.0);
   return {s, (between + s * a - t * b).norm()};
@@ -90,13 +92,15 @@ double Light::at(const Vector3d& place, const Vector3d& facing) const {
 }
 
 cv::Mat Light::over(const Surface& surface, double cell_m) const {
-  const auto cells = [&](double length) { return std::max(2, static_cast<int>(std::lround(length / cell_m))); };
+  const auto cells = [&](double length) {
+    return std::max(2, static_cast<int>(std::lround(length / cell_m)));
+  };
   const Vector3d facing = outward(surface);
   cv::Mat light(cells(surface.down.norm()), cells(surface.right.norm()), CV_32FC1);
   for (int y = 0; y < light.rows; ++y)
     for (int x = 0; x < light.cols; ++x) {
-      const Vector3d place = surface.corner + (x + 0.5) / light.cols * surface.right +
-                             (y + 0.5) / light.rows * surface.down;
+      const Vector3d place =
+          surface.corner + (x + 0.5) / light.cols * surface.right + (y + 0.5) / light.rows * surface.down;
       light.at<float>(y, x) = static_cast<float>(at(place, facing));
     }
   return light;

@@ -135,8 +135,8 @@ void cover_tiles(Canvas& canvas, const Finish& finish) {
 
 void cover_cardboard(Canvas& canvas, const Finish& finish) {
   const Colour base = colour_of(finish.colour);
-  shade(canvas, {.seed = finish.seed, .coarsest_m = 0.3, .finest_m = 0.002, .fall = 0.8, .stretch = 0.25}, 0.05,
-        [&](double x, double) {
+  shade(canvas, {.seed = finish.seed, .coarsest_m = 0.3, .finest_m = 0.002, .fall = 0.8, .stretch = 0.25},
+        0.05, [&](double x, double) {
           return Colour(base * static_cast<float>(1 + 0.025 * std::sin(2 * M_PI * x / 0.008)));
         });
 }
@@ -145,13 +145,20 @@ void cover_cardboard(Canvas& canvas, const Finish& finish) {
 
 void cover(Canvas& canvas, const Finish& finish) {
   switch (finish.material) {
-    case Material::plaster: return cover_plaster(canvas, finish);
-    case Material::wallpaper: return cover_wallpaper(canvas, finish);
-    case Material::brick: return cover_brick(canvas, finish);
-    case Material::concrete: return cover_concrete(canvas, finish);
-    case Material::wood: return cover_wood(canvas, finish);
-    case Material::tiles: return cover_tiles(canvas, finish);
-    case Material::cardboard: return cover_cardboard(canvas, finish);
+    case Material::plaster:
+      return cover_plaster(canvas, finish);
+    case Material::wallpaper:
+      return cover_wallpaper(canvas, finish);
+    case Material::brick:
+      return cover_brick(canvas, finish);
+    case Material::concrete:
+      return cover_concrete(canvas, finish);
+    case Material::wood:
+      return cover_wood(canvas, finish);
+    case Material::tiles:
+      return cover_tiles(canvas, finish);
+    case Material::cardboard:
+      return cover_cardboard(canvas, finish);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "sequences/simulator/noise.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -40,7 +41,8 @@ cv::Mat lattice(const Random& random, const Places& across, const Places& along)
   return made;
 }
 
-void add_octave(const cv::Mat& points, const Places& across, const Places& along, float strength, cv::Mat& sum) {
+void add_octave(const cv::Mat& points, const Places& across, const Places& along, float strength,
+                cv::Mat& sum) {
   std::vector<float> between(static_cast<std::size_t>(points.cols));
   for (int y = 0; y < sum.rows; ++y) {
     const auto row = static_cast<std::size_t>(y);

@@ -4,8 +4,7 @@ namespace relock::simulator {
 
 Room room_for(const ScenePlan& plan) {
   constexpr double kWidth = 6, kDepth = 6, kCeiling = -1.7, kFloor = 1.3, kBehindSheet = 0.001;
-  const double far =
-      plan.arrangement == Arrangement::box ? plan.box_side_m / 2 + kDepth / 2 : kBehindSheet;
+  const double far = plan.arrangement == Arrangement::box ? plan.box_side_m / 2 + kDepth / 2 : kBehindSheet;
   return {{-kWidth / 2, kCeiling, far - kDepth}, {kWidth / 2, kFloor, far}};
 }
 
@@ -21,12 +20,24 @@ Surface side_of(const Room& room, Side side) {
     made.down = down;
   };
   switch (side) {
-    case Side::faced: spans(low + z, x, y); break;
-    case Side::left: spans(low, z, y); break;
-    case Side::right: spans(low + x + z, -z, y); break;
-    case Side::behind: spans(low + x, -x, y); break;
-    case Side::floor: spans(low + y + z, x, -z); break;
-    case Side::ceiling: spans(low, x, z); break;
+    case Side::faced:
+      spans(low + z, x, y);
+      break;
+    case Side::left:
+      spans(low, z, y);
+      break;
+    case Side::right:
+      spans(low + x + z, -z, y);
+      break;
+    case Side::behind:
+      spans(low + x, -x, y);
+      break;
+    case Side::floor:
+      spans(low + y + z, x, -z);
+      break;
+    case Side::ceiling:
+      spans(low, x, z);
+      break;
   }
   return made;
 }

@@ -41,7 +41,8 @@ struct Decoration {
 };
 
 /// Furnishes a side. `free`: nothing but the wall itself there, m.
-Decoration decoration_of(Side side, const cv::Size2d& size, const std::optional<cv::Rect2d>& free, Random random);
+Decoration decoration_of(Side side, const cv::Size2d& size, const std::optional<cv::Rect2d>& free,
+                         Random random);
 
 /// Paints what `canvas` shows of a side of `size` (m). `lamp`: its place on the ceiling.
 void paint_side(Canvas& canvas, Side side, const cv::Size2d& size, const Decoration& decoration,
