@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "core/random.h"
 #include "sequences/simulator/display_coding.h"
-#include "sequences/simulator/noise.h"
+#include "sequences/simulator/sensor_noise.h"
 
 namespace relock::simulator {
 namespace {

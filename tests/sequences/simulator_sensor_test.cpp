@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "sequences/simulator/display_coding.h"
-#include "sequences/simulator/noise.h"
+#include "sequences/simulator/sensor_noise.h"
 #include "tests/sequences/scratch.h"
 
 namespace relock::simulator {

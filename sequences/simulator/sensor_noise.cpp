@@ -1,4 +1,4 @@
-#include "sequences/simulator/noise.h"
+#include "sequences/simulator/sensor_noise.h"
 
 #include <cmath>
 #include <numbers>
