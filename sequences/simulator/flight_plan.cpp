@@ -139,7 +139,7 @@ std::string value_text(const Field& field) {
   if (const auto* flag = std::get_if<bool*>(&field.value)) return **flag ? "true" : "false";
   if (const auto* text = std::get_if<std::string*>(&field.value)) return toml_text(**text);
   if (const auto* path = std::get_if<OptionalPath*>(&field.value))
-    return **path ? toml_text((**path).string()) : "";
+    return **path ? toml_text((**path)->string()) : "";
   const Word& word = std::get<Word>(field.value);
   return toml_text(word.words[static_cast<std::size_t>(word.get())]);
 }
