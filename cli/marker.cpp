@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/files.h"
 #include "cli/print/design.h"
 #include "cli/print/length.h"
@@ -16,13 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<Design> designs_of(const MarkerArguments& arguments) {
-  const RingLook look{.geometry = arguments.geometry,
-                      .quiet_zone = arguments.quiet_zone,
-                      .soft_border = arguments.soft_border,
-                      .inverted = arguments.inverted};
   std::vector<Design> designs;
   for (const std::string& list : arguments.markers)
-    for (const std::string& name : names_in(list)) designs.push_back(design_of(name, look));
+    for (const std::string& name : names_in(list)) designs.push_back(design_of(name, arguments.rings));
   return designs;
 }
 
@@ -32,13 +30,11 @@ void check_ring_options(const MarkerArguments& arguments, const std::vector<Desi
   for (const Design& design : designs) {
     const bool ring = design.code && design.round();
     any_ring = any_ring || ring;
-    if (arguments.inverted && !ring)
+    if (arguments.rings.inverted && !ring)
       throw Error(fmt::format("--inverted is for ring markers, and {} is none; print it in a call of its own",
                               design.name));
   }
-  const MarkerArguments unset;
-  if (!any_ring && (arguments.geometry != unset.geometry || arguments.quiet_zone != unset.quiet_zone ||
-                    arguments.soft_border != unset.soft_border))
+  if (!any_ring && arguments.rings != RingLook{})
     throw Error("--geometry, --quiet-zone and --soft-border are for ring markers, and there is none");
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/print/design.h"
 #include "cli/program.h"
 
 // One function for each verb of the program, in a file of its own. Each returns the exit status.
@@ -119,11 +120,8 @@ struct MarkerArguments {
   std::string size;                  ///< with its unit: 150mm
   std::filesystem::path out;         ///< ends in .pdf, .svg or .png
   std::string paper = "marker";
-  double dpi = 300;                ///< of .png
-  std::string geometry = "paper";  ///< of rings, and the next three
-  double quiet_zone = 1.3;         ///< in R
-  double soft_border = 0.04;       ///< in R
-  bool inverted = false;
+  double dpi = 300;  ///< of .png
+  RingLook rings;    ///< of those whose names do not say otherwise
   bool no_caption = false;
 };
 int marker(const MarkerArguments& arguments);

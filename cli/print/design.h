@@ -18,6 +18,7 @@ struct RingLook {
   double quiet_zone = RingGeometry{}.quiet_zone;
   double soft_border = RingGeometry{}.soft_border;
   bool inverted = false;
+  friend bool operator==(const RingLook&, const RingLook&) = default;
 };
 
 /// A marker that can be printed, of no size yet.
