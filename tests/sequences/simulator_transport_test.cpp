@@ -1,8 +1,10 @@
 #include "sequences/simulator/transport.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -146,6 +148,24 @@ TEST(Preview, IsGoneWhenItIsNotFinishedAndWritesOverNothing) {
   PreviewWriter preview(scratch.path() / "b.mp4", {160, 120}, 30);
   preview.add(moving(0), time_ns(70));
   EXPECT_NE(fault_of([&] { preview.add(moving(1), time_ns(70)); }).find("cannot follow"), std::string::npos);
+}
+
+TEST(Preview, SaysSoWhenTheDiskFillsUp) {
+  const Scratch scratch;
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  auto* const handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{4096, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string fault = fault_of([&] {
+    PreviewWriter preview(scratch.path() / "a.mp4", {160, 120}, 30);
+    for (int i = 0; i < 20; ++i) preview.add(moving(i), time_ns(33'333'333LL * i));
+    preview.finish();
+  });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_NE(fault.find("a.mp4 cannot be written; is the disk full"), std::string::npos) << fault;
+  EXPECT_TRUE(std::filesystem::is_empty(scratch.path()));
 }
 
 TEST(Preview, IsTheSameBytesAgain) {
