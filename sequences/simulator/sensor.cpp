@@ -36,7 +36,7 @@ void blur(const cv::Mat& from, cv::Mat& to, double sigma) {
 class Falloff {
  public:
   Falloff(double lost_in_corners, cv::Size size)
-      : middle_((size.width - 1) / 2.0f, (size.height - 1) / 2.0f) {
+      : middle_(static_cast<float>(size.width - 1) / 2, static_cast<float>(size.height - 1) / 2) {
     const double corner = static_cast<double>(middle_.dot(middle_));
     if (corner > 0) k_ = static_cast<float>((1 / std::sqrt(1 - lost_in_corners) - 1) / corner);
   }
