@@ -162,7 +162,8 @@ class Builder {
     if (!faced) hanging.smallest_m = 0.3, hanging.largest_m = 0.8;
     if (near) hanging.preferred = *near;
 
-    std::vector<cv::Rect2d> taken = {decoration.window, decoration.door, decoration.shelf};
+    std::vector<cv::Rect2d> taken = {decoration.window, decoration.radiator, decoration.door,
+                                     decoration.shelf};
     if (faced)
       for (const cv::Rect2d& sheet : sheets_on_wall()) taken.push_back(sheet);
     const Random random = random_.fork(kClutter).fork(static_cast<std::uint64_t>(side));
