@@ -136,7 +136,7 @@ class Builder {
     const Surface whole = side_of(room_, side);
     const cv::Size2d size = extent(whole);
     if (side == Side::faced && plan_.background)
-      return add(whole, read_background(*plan_.background, size), 0.06);
+      return add(whole, read_background(*plan_.background, size), 0.02);
 
     const Random random = random_.fork(kRoom).fork(static_cast<std::uint64_t>(side));
     const auto fine = side == Side::faced ? around_sheets(size) : std::nullopt;
