@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLampRadius = 0.12;  // m; makes shadows soft
+constexpr double kLampRadius = 0.18;  // m, as it is painted; makes shadows soft
 
 double smooth(double share) {
   const double t = std::clamp(share, 0.0, 1.0);
