@@ -25,10 +25,11 @@ void circles(Canvas& canvas, Random& random) {
   for (int i = 0; i < 12; ++i) {
     const cv::Point2d middle{canvas.area.width * random.uniform(), canvas.area.height * random.uniform()};
     const double radius = side * between(random, 0.05, 0.25);
+    const cv::Scalar dark = ink(random);
     if (random.chance(0.5)) {
-      canvas.disc(middle, radius, ink(random));
+      canvas.disc(middle, radius, dark);
     } else {
-      canvas.circle(middle, radius, radius * between(random, 0.1, 0.4), ink(random));
+      canvas.circle(middle, radius, radius * between(random, 0.1, 0.4), dark);
     }
   }
 }
@@ -64,9 +65,10 @@ void text(Canvas& canvas, Random& random) {
   double height = canvas.area.height * between(random, 0.07, 0.12);  // a heading, then smaller
   for (double y = 2 * height; y < canvas.area.height - 0.01; y += 2.2 * height) {
     std::string line;
-    while (static_cast<double>(line.size()) * height < 1.1 * canvas.area.width)
-      line +=
-          random.chance(0.17) ? ' ' : static_cast<char>((random.chance(0.2) ? 'A' : 'a') + random.below(26));
+    while (static_cast<double>(line.size()) * height < 1.1 * canvas.area.width) {
+      const char first = random.chance(0.2) ? 'A' : 'a';
+      line += random.chance(0.17) ? ' ' : static_cast<char>(first + static_cast<int>(random.below(26)));
+    }
     canvas.write(line, {0.06 * canvas.area.width, y}, height, dark);
     height = std::min(height, canvas.area.height * 0.035);
   }

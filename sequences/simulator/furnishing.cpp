@@ -12,8 +12,10 @@ cv::Rect2d shrunk(const cv::Rect2d& r, double by) {
   return {r.x + by, r.y + by, r.width - 2 * by, r.height - 2 * by};
 }
 
+// Dyes are seldom pure: every colour has half of a common grey.
 cv::Scalar some_colour(Random& random, double darkest, double brightest) {
-  const auto share = [&] { return darkest + (brightest - darkest) * random.uniform(); };
+  const double grey = random.uniform();
+  const auto share = [&] { return darkest + (brightest - darkest) * 0.5 * (grey + random.uniform()); };
   const double red = share(), green = share(), blue = share();
   return paint(red, green, blue);
 }
@@ -62,6 +64,13 @@ void paint_window(Canvas& canvas, const cv::Rect2d& window, std::uint64_t seed) 
   canvas.fill(glass, paint(0.62, 0.72, 0.85));
   const double hills = glass.y + 0.6 * glass.height;
   canvas.fill({glass.x, hills, glass.width, glass.y + glass.height - hills}, paint(0.16, 0.24, 0.10));
+  Random trees(seed);
+  for (int i = 0; i < 60; ++i) {
+    const double radius = 0.03 + 0.05 * trees.uniform(), green = 0.05 + 0.2 * trees.uniform();
+    const double x = glass.x + radius + (glass.width - 2 * radius) * trees.uniform();
+    const double y = hills + (glass.y + glass.height - hills - 0.08) * trees.uniform();
+    canvas.disc({x, y}, radius, paint(0.7 * green, green, 0.35 * green));
+  }
   canvas.fill({window.x + window.width / 2 - 0.03, window.y, 0.06, window.height}, paint(0.75));
   // Blinds, down to somewhere, every slat with its shadow.
   const double down = glass.height * (0.35 + 0.6 * number_of_cell(seed, 0, 1));
@@ -72,8 +81,7 @@ void paint_window(Canvas& canvas, const cv::Rect2d& window, std::uint64_t seed) 
   }
 }
 
-void paint_radiator(Canvas& canvas, const cv::Rect2d& window, double floor) {
-  const cv::Rect2d body{window.x + 0.1, floor - 0.75, window.width - 0.2, 0.6};
+void paint_radiator(Canvas& canvas, const cv::Rect2d& body) {
   canvas.fill(body, paint(0.42));
   for (double x = body.x; x + 0.045 < body.x + body.width; x += 0.06)
     canvas.fill({x, body.y - 0.01, 0.045, body.height + 0.02}, paint(0.80));
@@ -133,7 +141,8 @@ void paint_rug(Canvas& canvas, const cv::Size2d& size, std::uint64_t seed) {
 
 Decoration decoration_of(Side side, const cv::Size2d& size, const std::optional<cv::Rect2d>& free,
                          Random random) {
-  Decoration made{.finish = finish_of(side, random), .window = {}, .door = {}, .shelf = {}, .seed = 0};
+  Decoration made{
+      .finish = finish_of(side, random), .window = {}, .radiator = {}, .door = {}, .shelf = {}, .seed = 0};
   made.seed = random.next();
   const auto keep = [&](const cv::Rect2d& thing) {
     return free && (*free & thing).area() > 0 ? cv::Rect2d{} : thing;
@@ -157,6 +166,8 @@ Decoration decoration_of(Side side, const cv::Size2d& size, const std::optional<
     case Side::ceiling:
       break;
   }
+  const cv::Rect2d& window = made.window;
+  if (window.area() > 0) made.radiator = keep({window.x + 0.1, low - 0.75, window.width - 0.2, 0.6});
   return made;
 }
 
@@ -172,7 +183,7 @@ void paint_side(Canvas& canvas, Side side, const cv::Size2d& size, const Decorat
   canvas.fill({0, size.height - 0.095, size.width, 0.008}, paint(0.25));
   if (decoration.window.area() > 0) {
     paint_window(canvas, decoration.window, decoration.seed);
-    paint_radiator(canvas, decoration.window, size.height);
+    paint_radiator(canvas, decoration.radiator);
   }
   if (decoration.door.area() > 0) paint_door(canvas, decoration.door, decoration.seed);
   if (decoration.shelf.area() > 0) paint_shelf(canvas, decoration.shelf, decoration.seed);

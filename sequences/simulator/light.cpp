@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLampRadius = 0.12;  // m; makes shadows soft
+constexpr double kLampRadius = 0.18;  // m, as it is painted; makes shadows soft
 
 double smooth(double share) {
   const double t = std::clamp(share, 0.0, 1.0);
@@ -48,11 +48,15 @@ Light::Light(const ScenePlan& plan, const Room& room, const Vector3d& lamp, cons
     : gradient_(plan.light_gradient), shadows_(plan.shadows), room_(room), lamp_(lamp) {
   const auto stand = [&](const Vector3d& shadow, double longest) {
     const Vector3d middle = shadow + (0.12 + 0.35 * random.uniform()) * (lamp_ - shadow);
-    const Vector3d half = direction(random) * (0.03 + longest * random.uniform());
+    const double reach = 0.03 + longest * random.uniform();
+    const Vector3d half = reach * direction(random);
     rods_.push_back({middle - half, middle + half, 0.02 + 0.06 * random.uniform()});
   };
   for (const Vector3d& target : lit)
-    for (int i = 0; i < 2; ++i) stand(target + 0.3 * (0.2 + random.uniform()) * direction(random), 0.4);
+    for (int i = 0; i < 2; ++i) {
+      const double aside = 0.06 + 0.3 * random.uniform();
+      stand(target + aside * direction(random), 0.4);
+    }
   for (int i = 0; i < 8; ++i) {
     const Vector3d share{random.uniform(), 0.3 + 0.7 * random.uniform(), i % 2 == 0 ? 1.0 : random.uniform()};
     stand(room.low + share.cwiseProduct(room.high - room.low), 0.6);

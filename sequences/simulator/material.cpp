@@ -42,7 +42,7 @@ double inside(double place, double cell, double joint, double soft) {
 
 void cover_plaster(Canvas& canvas, const Finish& finish) {
   const Colour base = colour_of(finish.colour);
-  shade(canvas, {.seed = finish.seed, .coarsest_m = 1.6, .finest_m = 0.003, .fall = 0.82}, 0.045,
+  shade(canvas, {.seed = finish.seed, .coarsest_m = 0.8, .finest_m = 0.003, .fall = 0.93}, 0.04,
         [&](double, double) { return base; });
 }
 

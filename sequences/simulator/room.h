@@ -36,7 +36,7 @@ cv::Size2d extent(const Surface& surface);
 /// What a side is made of and what stands and hangs there.
 struct Decoration {
   Finish finish;
-  cv::Rect2d window, door, shelf;  ///< m from the side's top left corner; without area: none
+  cv::Rect2d window, radiator, door, shelf;  ///< m from the side's top left corner; without area: none
   std::uint64_t seed = 0;
 };
 

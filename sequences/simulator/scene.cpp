@@ -136,7 +136,7 @@ class Builder {
     const Surface whole = side_of(room_, side);
     const cv::Size2d size = extent(whole);
     if (side == Side::faced && plan_.background)
-      return add(whole, read_background(*plan_.background, size), 0.06);
+      return add(whole, read_background(*plan_.background, size), 0.01);
 
     const Random random = random_.fork(kRoom).fork(static_cast<std::uint64_t>(side));
     const auto fine = side == Side::faced ? around_sheets(size) : std::nullopt;
@@ -162,7 +162,8 @@ class Builder {
     if (!faced) hanging.smallest_m = 0.3, hanging.largest_m = 0.8;
     if (near) hanging.preferred = *near;
 
-    std::vector<cv::Rect2d> taken = {decoration.window, decoration.door, decoration.shelf};
+    std::vector<cv::Rect2d> taken = {decoration.window, decoration.radiator, decoration.door,
+                                     decoration.shelf};
     if (faced)
       for (const cv::Rect2d& sheet : sheets_on_wall()) taken.push_back(sheet);
     const Random random = random_.fork(kClutter).fork(static_cast<std::uint64_t>(side));
@@ -203,7 +204,7 @@ class Builder {
       const PrintedTarget& target = targets_[i];
       Surface sheet = sheets_[i];
       sheet.gloss = plan_.gloss;
-      Texture texture = make_texture(printed(target.picture), light_.over(sheet, 0.01));
+      Texture texture = make_texture(printed(target.picture), light_.over(sheet, 0.005));
       while (texture.width() > kWidestSheet) texture.levels.erase(texture.levels.begin());
       sheet.texture = std::make_shared<Texture>(std::move(texture));
       scene_.targets.push_back({.printed = target, .id = id_of(i), .surface = scene_.surfaces.size()});

@@ -31,7 +31,7 @@ struct Surface {
 /// A target in the scene, and where.
 struct HungTarget {
   PrintedTarget printed;
-  std::string id;           ///< of the target in the labels
+  std::string id;  ///< of the target in the labels: its printed name; "-2", "-3" … to a second of one name
   std::size_t surface = 0;  ///< in Scene::surfaces: its sheet
 };
 
@@ -46,25 +46,30 @@ struct Scene {
 
 /// How targets are arranged.
 enum class Arrangement : std::uint8_t {
-  wall,   ///< side by side on the wall that the camera faces; four make two rows of two
-  box,    ///< one on each side of a box that stands free, up to four
+  wall,  ///< on the wall that the camera faces: 1 to 3 side by side (the second right of the first, the third
+         ///< left); from 4 on in two rows, the first above (four: the others right, below, and below right)
+  box,   ///< one on each side of a box that stands free, up to four: front, right, back, left
   paper,  ///< the first in the middle, the others left and right of it: section 4.2 of the paper
 };
 
 struct ScenePlan {
   Arrangement arrangement = Arrangement::wall;
-  double spacing_m = 0.45;   ///< wall and paper: between the middles of neighbours
-  double box_side_m = 0.45;  ///< box
+  double spacing_m = 0.45;   ///< wall and paper: between the middles of neighbours; 0.01 to 5
+  double box_side_m = 0.45;  ///< box; 0.01 to 1.5
   double clutter = 0.5;      ///< 0 bare walls, 1 covered with what deceives fiducial detectors
-  std::optional<std::filesystem::path> background = {};  ///< a picture for the wall that the camera faces
+  /// A picture for the wall that the camera faces, cut to 2 : 1 in its middle; nothing else hangs there then.
+  std::optional<std::filesystem::path> background = {};
   double light_gradient = 0.3;  ///< 0 even light; 1: from full to none across the room
   double shadows = 0.3;         ///< how much light shadows take, 0 to 1
-  double gloss = 0.0;           ///< of the sheets: strength of the specular spot
-  double occluders_hz = 0.0;    ///< how often something passes before a target
+  double gloss = 0.0;           ///< of the sheets: strength of the specular spot; 0 to 100
+  double occluders_hz = 0.0;    ///< how often something passes before each target, from 1 s on; 0 to 5
 };
 
-/// Builds a room around the targets. Deterministic in `seed`. Throws Error on a background that is no picture,
-/// on no target, or more of them than the arrangement has places for (box: 4, paper: 3).
+/// Builds a room around the targets: 6 x 3 x 6 m, the floor 1.3 m below the main target. Around it the camera may
+/// stand 0.3 to 4 m from the wall, or anywhere up to 2.5 m from the box. White paper in full light is 0.81.
+/// Deterministic in `seed`. Throws Error on a background that is no picture, a number outside its range, no
+/// target, more of them than the arrangement has places for (box: 4, paper: 3), and sheets that overlap or do
+/// not fit.
 Scene build_scene(const ScenePlan& plan, const std::vector<PrintedTarget>& targets, std::uint64_t seed);
 
 }  // namespace relock::simulator
