@@ -26,7 +26,7 @@ struct PrintedTarget {
   double sheet_m = 0.2;  ///< side of the square sheet, quiet zone and border and all
   /// The whole square sheet from its top left corner, CV_8UC1, square, in display (sRGB) coding; smooth enough
   /// that bilinear sampling at full size shows no steps.
-  cv::Mat picture;
+  cv::Mat picture = {};
 };
 
 /// Makes the target of a name at a size (side or diameter, metres). Throws Error for a name that is none.

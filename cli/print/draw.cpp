@@ -6,7 +6,7 @@
 #include <memory>
 #include <numbers>
 
-#include "cli/print/ink.h"
+#include "core/display_coding.h"
 
 namespace relock {
 namespace {
@@ -18,7 +18,7 @@ using PatternPtr = std::unique_ptr<cairo_pattern_t, void (*)(cairo_pattern_t*)>;
 using FontOptionsPtr = std::unique_ptr<cairo_font_options_t, void (*)(cairo_font_options_t*)>;
 
 void set_light(cairo_t* on, double light) {
-  const double grey = grey_of_light(light);
+  const double grey = coded_of_light(light);
   cairo_set_source_rgb(on, grey, grey, grey);
 }
 
@@ -37,7 +37,7 @@ void draw_soft_border(cairo_t* on, const RingMarker& marker, Vec2 centre, double
                           cairo_pattern_destroy);
   for (int step = 0; step <= kBorderSteps; ++step) {
     const double part = static_cast<double>(step) / kBorderSteps;
-    const double grey = grey_of_light(reflectance(marker, inner + part * (outer - inner)));
+    const double grey = coded_of_light(reflectance(marker, inner + part * (outer - inner)));
     cairo_pattern_add_color_stop_rgb(border.get(), part, grey, grey, grey);
   }
   cairo_set_source(on, border.get());

@@ -7,7 +7,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "cli/print/design.h"
-#include "cli/print/ink.h"
+#include "core/display_coding.h"
 #include "core/error.h"
 
 namespace relock {
@@ -17,7 +17,7 @@ constexpr int kSidePx = 1024;
 constexpr int kPartsOfPixel = 16;  // in each direction, where an edge runs through it
 
 std::uint8_t level(double light) {
-  return static_cast<std::uint8_t>(std::lround(255 * grey_of_light(light)));
+  return static_cast<std::uint8_t>(std::lround(255 * coded_of_light(light)));
 }
 
 /// Mean light of a print about a middle, over one pixel after another.

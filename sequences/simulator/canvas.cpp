@@ -9,12 +9,12 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/blur.h"
+#include "core/display_coding.h"
 #include "core/error.h"
 #include "core/random.h"
 #include "sequences/open.h"
-#include "sequences/simulator/display_coding.h"
 #include "sequences/simulator/draft.h"
-#include "sequences/simulator/noise.h"
+#include "sequences/simulator/sensor_noise.h"
 #include "sequences/simulator/transport.h"
 
 namespace relock::simulator {
@@ -81,12 +81,16 @@ cv::Mat1d drawn(const CanvasPlan& plan, const PrintedTarget& target, Vec2 centre
   const double side = plan.marker_px * target.sheet_m / target.size_m;
   const cv::Mat1d across = shares(plan.canvas_px, sheet.cols, centre.x - side / 2, sheet.cols / side);
   const cv::Mat1d down = shares(plan.canvas_px, sheet.rows, centre.y - side / 2, sheet.rows / side);
-  const cv::Mat1d rows = weighted(down, sheet).t();
-  cv::Mat1d picture = weighted(across, rows).t();
+  cv::Mat1d rows, picture;
+  cv::transpose(weighted(down, sheet), rows);
+  cv::transpose(weighted(across, rows), picture);
   cv::Mat1d covered_x, covered_y;
   cv::reduce(across, covered_x, 1, cv::REDUCE_SUM);
   cv::reduce(down, covered_y, 1, cv::REDUCE_SUM);
-  return picture + around(0, 0) * (1 - covered_y * covered_x.t());
+  cv::Mat uncovered;
+  cv::gemm(covered_y, covered_x, -around(0, 0), picture, 1, uncovered, cv::GEMM_2_T);
+  uncovered += around(0, 0);
+  return uncovered;
 }
 
 void add_noise(cv::Mat1d& picture, double deviation, const Random& random) {

@@ -7,16 +7,16 @@
 #include <cmath>
 #include <condition_variable>
 #include <exception>
-#include <map>
 #include <mutex>
 #include <numbers>
-#include <opencv2/imgcodecs.hpp>
 #include <thread>
 
 #include "core/error.h"
 #include "core/random.h"
+#include "sequences/description.h"
 #include "sequences/gaps.h"
 #include "sequences/simulator/flight_writer.h"
+#include "sequences/simulator/preview.h"
 #include "sequences/simulator/render.h"
 
 namespace relock::simulator {
@@ -94,8 +94,8 @@ class Film {
         times_(exposure_times(plan)),
         ranks_(recorded(plan, times_)) {
     if (plan.transport.h264_kbps > 0)
-      codec_.emplace(camera.picture, plan.camera.rate_hz, plan.transport.h264_kbps);
-    if (options.preview) preview_.emplace(*options.preview, camera.picture);
+      link_.emplace(camera.picture, plan.camera.rate_hz, plan.transport.h264_kbps);
+    if (options.preview) preview_.emplace(*options.preview, camera.picture, plan.camera.rate_hz);
   }
 
   FlightSummary make(int jobs) {
@@ -103,8 +103,6 @@ class Film {
     for (int i = 0; i < jobs; ++i) threads.emplace_back([this] { work(); });
     for (std::thread& thread : threads) thread.join();
     if (fault_) std::rethrow_exception(fault_);
-    if (codec_)
-      for (const cv::Mat& picture : codec_->finish()) store(stored_++, picture);
     if (preview_) preview_->finish();
     summary_.frames = static_cast<std::int64_t>(ranks_.size());
     summary_.lost = static_cast<std::int64_t>(times_.size() - ranks_.size());
@@ -141,8 +139,9 @@ class Film {
     if (exposure.light() != 1) scratch.light.convertTo(scratch.light, -1, exposure.light());
     develop(scratch.light, plan_.sensor, exposure.gain(),
             Random(seed_of(plan_, kNoise)).fork(static_cast<std::uint64_t>(rank)).next(), scratch.picture);
-    if (!codec_) store(frame, scratch.picture, scratch.bytes);
     in_turn(frame, [&] { take(frame, flown, scratch.picture); });
+    encode_picture(scratch.picture, plan_.transport, scratch.bytes);
+    writer_.write_picture(frame, scratch.bytes);
   }
 
   /// Frames come here one after another, whatever thread made them.
@@ -156,10 +155,9 @@ class Film {
     turned_.notify_all();
   }
 
-  void take(std::int64_t frame, const FlownFrame& flown, const cv::Mat& picture) {
+  void take(std::int64_t frame, const FlownFrame& flown, cv::Mat& picture) {
     writer_.add(flown);
-    if (codec_)
-      for (const cv::Mat& decoded : codec_->add(picture)) store(stored_++, decoded);
+    if (link_) link_->carry(picture, picture);
     if (preview_) preview_->add(picture, flown.captured);
     summary_.mean_motion_px += flown.motion_px;
     const double step = flown.steps > 1 ? flown.motion_px / flown.steps : 0;
@@ -168,16 +166,6 @@ class Film {
       summary_.coarsest_step_px = std::max(summary_.coarsest_step_px, step);
     }
     if (options_.progress) options_.progress(frame + 1);
-  }
-
-  void store(std::int64_t frame, const cv::Mat& picture) {
-    std::vector<unsigned char> bytes;
-    store(frame, picture, bytes);
-  }
-
-  void store(std::int64_t frame, const cv::Mat& picture, std::vector<unsigned char>& bytes) const {
-    encode_picture(picture, plan_.transport, bytes);
-    writer_.write_picture(frame, bytes);
   }
 
   const FlightPlan& plan_;
@@ -189,14 +177,13 @@ class Film {
   FlightWriter& writer_;
   const std::vector<Time> times_;
   const std::vector<std::int64_t> ranks_;
-  std::optional<VideoRoundTrip> codec_;
+  std::optional<VideoLink> link_;
   std::optional<PreviewWriter> preview_;
 
   std::atomic<std::int64_t> next_ = 0;
   std::mutex turn_;
   std::condition_variable turned_;
   std::int64_t turn_of_ = 0;
-  std::int64_t stored_ = 0;
   std::exception_ptr fault_;
   FlightSummary summary_;
 };
@@ -212,11 +199,11 @@ FlightSummary fly(const FlightPlan& plan, const TargetResolver& target_of, const
   check_flight_plan(plan);
   const Camera camera = camera_of(plan.camera);
   const Scene scene = build_scene(plan.scene, print(plan, target_of), seed_of(plan, kScene));
-  FlightWriter writer(out, targets_of(scene), picture_ending(plan.transport));
+  FlightWriter writer(out, targets_of(scene), std::string(picture_suffix(plan.transport)));
   Film film(plan, scene, camera, writer, options);
   const FlightSummary summary = film.make(std::max(1, options.jobs));
   Recording recording;
-  recording.name = (out.filename().empty() ? out.parent_path() : out).filename().string();
+  recording.name = folder_name(out);
   recording.picture = camera.picture;
   recording.period = period_of(plan.camera.rate_hz);
   recording.targets = targets_of(scene);

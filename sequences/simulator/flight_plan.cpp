@@ -240,13 +240,8 @@ void check_flight_plan(const FlightPlan& plan) {
   from("scene: occluders_hz", plan.scene.occluders_hz, 0, 5);
   from("scene: spacing_m", plan.scene.spacing_m, 0.01, 3);
   from("scene: box_side_m", plan.scene.box_side_m, 0.05, 1.5);
-  from("sensor: full_well_e", plan.sensor.full_well_e, 0, 1e9);
-  from("sensor: read_noise_e", plan.sensor.read_noise_e, 0, 1e6);
-  from("sensor: vignetting", plan.sensor.vignetting, 0, 0.95);
-  from("sensor: defocus_px", plan.sensor.defocus_px, 0, 20);
-  from("sensor: sharpening", plan.sensor.sharpening, 0, 5);
-  from("transport: jpeg_quality", plan.transport.jpeg_quality, 0, 100);
-  from("transport: h264_kbps", plan.transport.h264_kbps, 0, 1e6);
+  check_sensor(plan.sensor);
+  check_transport(plan.transport);
   if (plan.targets.empty()) throw Error("a flight needs a target");
   for (const PlannedTarget& target : plan.targets) from("target: size_m", target.size_m, 1e-3, 3);
   if (plan.motion.path == Path::revolve && plan.motion.distance_m < plan.scene.box_side_m)

@@ -1,7 +1,6 @@
 #include "sequences/simulator/flight_writer.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "core/csv.h"
 #include "core/error.h"
@@ -33,42 +32,21 @@ std::string truth_row(FrameIndex rank, const Target& target, const FlownFrame& f
 
 }  // namespace
 
-FlightWriter::FlightWriter(fs::path out, std::vector<Target> targets, std::string picture_ending)
-    : out_(std::move(out)), targets_(std::move(targets)), ending_(std::move(picture_ending)) {
-  if (out_.filename().empty()) out_ = out_.parent_path();  // "flight/"
-  if (out_.empty()) throw Error("a flight needs a folder to be written to");
-  if (fs::exists(out_))
-    throw Error(fmt::format("{} is there already; choose another folder or remove it", out_.string()));
-  draft_ = out_.parent_path() / fmt::format(".{}.tmp.{}", out_.filename().string(), getpid());
-  std::error_code fault;
-  fs::remove_all(draft_, fault);
-  fs::create_directories(draft_ / "images", fault);
-  if (fault) throw Error(fmt::format("{} cannot be made ({})", out_.string(), fault.message()));
-  times_.open(draft_ / "timestamps.csv", std::ios::binary);
-  labels_.open(draft_ / "labels.csv", std::ios::binary);
-  truth_.open(draft_ / "truth.csv", std::ios::binary);
+FlightWriter::FlightWriter(const fs::path& out, std::vector<Target> targets, std::string picture_suffix)
+    : draft_(out), targets_(std::move(targets)), suffix_(std::move(picture_suffix)) {
+  make_folder(draft_.path() / "images");
+  times_.open(draft_.path() / "timestamps.csv", std::ios::binary);
+  labels_.open(draft_.path() / "labels.csv", std::ios::binary);
+  truth_.open(draft_.path() / "truth.csv", std::ios::binary);
   times_ << "timestamp_ns,frame,file\n";
   write_label_header(labels_);
   truth_ << kTruthHeader;
 }
 
-FlightWriter::~FlightWriter() {
-  std::error_code ignored;
-  if (!draft_.empty()) fs::remove_all(draft_, ignored);
-}
-
-std::string FlightWriter::name_of(FrameIndex frame) const { return fmt::format("{:06}{}", frame, ending_); }
-
-void FlightWriter::fail(const fs::path& file) const {
-  throw Error(fmt::format("{} cannot be written; is the disk full?", (out_ / file).string()));
-}
+std::string FlightWriter::name_of(FrameIndex frame) const { return fmt::format("{:06}{}", frame, suffix_); }
 
 void FlightWriter::write_picture(FrameIndex frame, const std::vector<unsigned char>& bytes) const {
-  const fs::path file = fs::path("images") / name_of(frame);
-  std::ofstream out(draft_ / file, std::ios::binary);
-  out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  if (!out) fail(file);
+  write_bytes(draft_.path() / "images" / name_of(frame), bytes);
 }
 
 void FlightWriter::add(const FlownFrame& frame) {
@@ -78,21 +56,21 @@ void FlightWriter::add(const FlownFrame& frame) {
     truth_ << truth_row(frames_, targets_[i], frame, frame.truth[i]);
   }
   ++frames_;
-  if (!times_ || !labels_ || !truth_) fail("labels.csv");
+  check_tables();
+}
+
+void FlightWriter::check_tables() const {
+  if (!times_ || !labels_ || !truth_)
+    throw Error(fmt::format("tables in {} cannot be written; is the disk full?", draft_.path().string()));
 }
 
 void FlightWriter::finish(const Recording& recording, const std::string& plan) {
-  std::ofstream toml(draft_ / "flight.toml", std::ios::binary);
-  toml << plan;
-  if (!toml.flush()) fail("flight.toml");
-  if (!times_.flush()) fail("timestamps.csv");
-  if (!labels_.flush()) fail("labels.csv");
-  if (!truth_.flush()) fail("truth.csv");
-  write_description(draft_, recording);
-  std::error_code fault;
-  fs::rename(draft_, out_, fault);
-  if (fault) throw Error(fmt::format("{} cannot be made ({})", out_.string(), fault.message()));
-  draft_.clear();
+  write_bytes(draft_.path() / "flight.toml",
+              {reinterpret_cast<const std::uint8_t*>(plan.data()), plan.size()});
+  times_.flush(), labels_.flush(), truth_.flush();
+  check_tables();
+  write_description(draft_.path(), recording);
+  draft_.put_in_place();
 }
 
 }  // namespace relock::simulator

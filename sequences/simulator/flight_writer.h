@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/recording.h"
+#include "sequences/simulator/draft.h"
 #include "sequences/simulator/flight_truth.h"
 
 namespace relock::simulator {
@@ -20,14 +21,11 @@ struct FlownFrame {
   std::vector<FlightTruth> truth;
 };
 
-/// A recording as it is written, in a draft beside the place where it will be. What is not finished goes away.
+/// A flight as it is written: a recording in a draft beside the place where it will be.
 class FlightWriter {
  public:
   /// Throws Error when `out` is there already or cannot be written.
-  FlightWriter(std::filesystem::path out, std::vector<Target> targets, std::string picture_ending);
-  ~FlightWriter();
-  FlightWriter(const FlightWriter&) = delete;
-  FlightWriter& operator=(const FlightWriter&) = delete;
+  FlightWriter(const std::filesystem::path& out, std::vector<Target> targets, std::string picture_suffix);
 
   /// A picture's bytes as a file; may be called from several threads.
   void write_picture(FrameIndex frame, const std::vector<unsigned char>& bytes) const;
@@ -38,11 +36,11 @@ class FlightWriter {
 
  private:
   std::string name_of(FrameIndex frame) const;
-  [[noreturn]] void fail(const std::filesystem::path& file) const;
+  void check_tables() const;
 
-  std::filesystem::path out_, draft_;
+  Draft draft_;
   std::vector<Target> targets_;
-  std::string ending_;
+  std::string suffix_;
   FrameIndex frames_ = 0;
   std::ofstream times_, labels_, truth_;
 };

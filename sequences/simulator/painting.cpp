@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "core/display_coding.h"
+
 #include "sequences/simulator/texture.h"
 
 namespace relock::simulator {
@@ -16,9 +18,7 @@ cv::Point fine(const cv::Point2d& pixel) {
           static_cast<int>(std::lround(pixel.y * (1 << kShift)))};
 }
 
-double coded(double share) {
-  return 255.0 * static_cast<double>(srgb_of_linear(static_cast<float>(std::clamp(share, 0.0, 1.0))));
-}
+double coded(double share) { return 255 * coded_of_light(std::clamp(share, 0.0, 1.0)); }
 
 int whole(double length) { return std::max(1, static_cast<int>(std::lround(length))); }
 

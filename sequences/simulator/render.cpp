@@ -3,31 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace relock::simulator {
 namespace {
 
 constexpr float kOpaque = 0.999f;
-constexpr int kChunk = 16;  // pixels of a row that share a level of a texture
+/// Pixels of a row that share a level of a texture; rows are padded to whole pieces of this length.
+constexpr int kChunk = 16;
 
 Pixel4 load(const float* from) { return Pixel4{from[0], from[1], from[2], from[3]}; }
-
-/// One level of a texture at a place in [0, 1]^2.
-Pixel4 sample(const cv::Mat& level, float u, float v) {
-  const float x =
-      std::clamp(u * static_cast<float>(level.cols) - 0.5f, 0.0f, static_cast<float>(level.cols - 1));
-  const float y =
-      std::clamp(v * static_cast<float>(level.rows) - 0.5f, 0.0f, static_cast<float>(level.rows - 1));
-  const int left = std::min(static_cast<int>(x), std::max(0, level.cols - 2));
-  const int top = std::min(static_cast<int>(y), std::max(0, level.rows - 2));
-  const float fx = x - static_cast<float>(left), fy = y - static_cast<float>(top);
-  const float* upper = level.ptr<float>(top) + 4 * left;
-  const float* lower = level.ptr<float>(std::min(top + 1, level.rows - 1)) + 4 * left;
-  const int next = level.cols > 1 ? 4 : 0;
-  const Pixel4 a = load(upper), b = load(upper + next), c = load(lower), d = load(lower + next);
-  const Pixel4 up = a + fx * (b - a), down = c + fx * (d - c);
-  return up + fy * (down - up);
-}
 
 float clamp01(float x) { return std::clamp(x, 0.0f, 1.0f); }
 
@@ -47,20 +32,25 @@ struct Renderer::Seen {
 /// The row being composed, front to back.
 struct Renderer::Row {
   std::vector<Pixel4> colour;  ///< premultiplied; the fourth is the coverage
-  const float* rays = nullptr;
+  std::vector<char> full;      ///< of each chunk: nothing more is seen through it
+  const float* x = nullptr;    ///< the rays of its pixels
+  const float* y = nullptr;
 };
 
 Renderer::Renderer(const Scene& scene, const Camera& camera)
     : scene_(scene), camera_(camera), fine_(scene.surfaces.size(), false) {
   check_camera(camera);
   for (const HungTarget& target : scene.targets) fine_[target.surface] = true;
-  rays_.reserve(2 * static_cast<std::size_t>(camera.picture.width) *
-                static_cast<std::size_t>(camera.picture.height));
-  for (int y = 0; y < camera.picture.height; ++y)
-    for (int x = 0; x < camera.picture.width; ++x) {
-      const Eigen::Vector2d ray = normalised(camera, {static_cast<double>(x), static_cast<double>(y)});
-      rays_.push_back(static_cast<float>(ray.x()));
-      rays_.push_back(static_cast<float>(ray.y()));
+  const auto [width, height] = camera.picture;
+  padded_ = (width + kChunk - 1) / kChunk * kChunk;
+  rays_x_.reserve(static_cast<std::size_t>(padded_) * static_cast<std::size_t>(height));
+  rays_y_.reserve(rays_x_.capacity());
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < padded_; ++x) {
+      const Eigen::Vector2d ray =
+          normalised(camera, {static_cast<double>(std::min(x, width - 1)), static_cast<double>(y)});
+      rays_x_.push_back(static_cast<float>(ray.x()));
+      rays_y_.push_back(static_cast<float>(ray.y()));
     }
 }
 
@@ -128,41 +118,65 @@ std::vector<Renderer::Seen> Renderer::seen_at(const Exposure& exposure, double t
   return all;
 }
 
-/// How a surface is sampled in a short piece of a row.
+/// How a surface is sampled in a short piece of a row: a level of its texture whose texels are about as large as what a
+/// sample stands for.
 struct Renderer::Footprint {
-  const cv::Mat* texture;  ///< the level whose texels are about as large as what a sample stands for
-  float u_edge, v_edge;    ///< pixels in a unit of u and of v
+  const float* texels;
+  std::ptrdiff_t stride;  ///< floats from a row to the next
+  float columns, rows;
+  int last_column, last_row;  ///< of the left and upper texel of four
+  float u_edge, v_edge;       ///< pixels in a unit of u and of v
 };
 
-Renderer::Footprint Renderer::footprint_of(const Seen& seen, const float* ray) const {
+Renderer::Footprint Renderer::footprint_of(const Seen& seen, float x, float y) const {
   const auto per_pixel = static_cast<float>(1 / camera_.focal_px);
   const Eigen::Matrix3f& m = seen.to_plane;
-  const Eigen::Vector3f at = m * Eigen::Vector3f(ray[0], ray[1], 1);
-  const float depth = std::max(at.z(), 1e-6f), u = at.x() / depth, v = at.y() / depth;
-  const float ux = (m(0, 0) - u * m(2, 0)) * per_pixel / depth,
-              uy = (m(0, 1) - u * m(2, 1)) * per_pixel / depth;
-  const float vx = (m(1, 0) - v * m(2, 0)) * per_pixel / depth,
-              vy = (m(1, 1) - v * m(2, 1)) * per_pixel / depth;
+  const Eigen::Vector3f at = m * Eigen::Vector3f(x, y, 1);
+  const float depth = std::max(at.z(), 1e-6f), scale = per_pixel / depth, u = at.x() / depth,
+              v = at.y() / depth;
+  const float ux = (m(0, 0) - u * m(2, 0)) * scale, uy = (m(0, 1) - u * m(2, 1)) * scale;
+  const float vx = (m(1, 0) - v * m(2, 0)) * scale, vy = (m(1, 1) - v * m(2, 1)) * scale;
   const auto& levels = seen.texture->levels;
-  const auto width = static_cast<float>(levels[0].cols), height = static_cast<float>(levels[0].rows);
-  const float texels = std::max(std::hypot(ux * width, vx * height), std::hypot(uy * width, vy * height)) /
-                       (seen.fine ? 2.0f : 1.0f);
-  const float level = std::floor(std::log2(std::max(texels, 1e-6f)) + 0.5f);
-  const auto index = static_cast<std::size_t>(std::clamp(level, 0.0f, static_cast<float>(levels.size() - 1)));
-  return {&levels[index], 1 / std::max(std::hypot(ux, uy), 1e-9f), 1 / std::max(std::hypot(vx, vy), 1e-9f)};
+  const float width2 = static_cast<float>(levels[0].cols) * static_cast<float>(levels[0].cols);
+  const float height2 = static_cast<float>(levels[0].rows) * static_cast<float>(levels[0].rows);
+  const float across2 = ux * ux * width2 + vx * vx * height2, down2 = uy * uy * width2 + vy * vy * height2;
+  const float texels2 = std::max(across2, down2) * (seen.fine ? 0.25f : 1.0f);
+  // Half the binary logarithm, rounded: of a square, twice it is the exponent.
+  int exponent = 0;
+  std::frexp(2 * std::max(texels2, 1e-12f), &exponent);
+  const auto index = std::clamp((exponent - 1) >> 1, 0, static_cast<int>(levels.size()) - 1);
+  const cv::Mat& level = levels[static_cast<std::size_t>(index)];
+  return {level.ptr<float>(),
+          static_cast<std::ptrdiff_t>(level.step1()),
+          static_cast<float>(level.cols),
+          static_cast<float>(level.rows),
+          std::max(0, level.cols - 2),
+          std::max(0, level.rows - 2),
+          1 / std::sqrt(std::max(ux * ux + uy * uy, 1e-18f)),
+          1 / std::sqrt(std::max(vx * vx + vy * vy, 1e-18f))};
 }
 
-/// What a ray sees of a surface: premultiplied, the fourth is the coverage.
-Pixel4 Renderer::seen_along(const Seen& seen, const Footprint& footprint, float x, float y) {
-  const Eigen::Matrix3f& m = seen.to_plane;
-  const float depth = m(2, 0) * x + m(2, 1) * y + m(2, 2);
-  if (depth <= 0) return Pixel4{0, 0, 0, 0};
-  const float u = (m(0, 0) * x + m(0, 1) * y + m(0, 2)) / depth;
-  const float v = (m(1, 0) * x + m(1, 1) * y + m(1, 2)) / depth;
+/// The texture at a place in [0, 1]^2, between its texels.
+inline Pixel4 Renderer::texel_at(const Footprint& f, float u, float v) {
+  const float x = std::clamp(u * f.columns - 0.5f, 0.0f, f.columns - 1);
+  const float y = std::clamp(v * f.rows - 0.5f, 0.0f, f.rows - 1);
+  const int left = std::min(static_cast<int>(x), f.last_column),
+            top = std::min(static_cast<int>(y), f.last_row);
+  const float fx = x - static_cast<float>(left), fy = y - static_cast<float>(top);
+  const float* upper = f.texels + top * f.stride + 4 * left;
+  const float* lower = f.rows > 1 ? upper + f.stride : upper;
+  const int next = f.columns > 1 ? 4 : 0;
+  const Pixel4 a = load(upper), b = load(upper + next), c = load(lower), d = load(lower + next);
+  const Pixel4 up = a + fx * (b - a), down = c + fx * (d - c);
+  return up + fy * (down - up);
+}
+
+/// What is seen of a surface at (u, v): premultiplied, the fourth is the coverage.
+inline Pixel4 Renderer::seen_at_place(const Seen& seen, const Footprint& footprint, float u, float v) {
   const float covered = clamp01(0.5f + std::min(u, 1 - u) * footprint.u_edge) *
                         clamp01(0.5f + std::min(v, 1 - v) * footprint.v_edge);
   if (covered <= 0) return Pixel4{0, 0, 0, 0};
-  Pixel4 texel = sample(*footprint.texture, u, v);
+  Pixel4 texel = texel_at(footprint, u, v);
   if (seen.gloss > 0) {
     const float spot =
         seen.gloss * texel[3] * mirrored(seen, seen.corner + u * seen.u_edge + v * seen.v_edge);
@@ -177,29 +191,70 @@ float Renderer::mirrored(const Seen& seen, const Eigen::Vector3f& point) {
   return std::pow(std::max(half.normalized().dot(seen.normal), 0.0f), 200.0f);
 }
 
+/// The mean of four places within the pixel.
+Pixel4 Renderer::seen_finely(const Seen& seen, const Footprint& footprint, float x, float y) const {
+  const auto aside = static_cast<float>(0.25 / camera_.focal_px);
+  const Eigen::Matrix3f& m = seen.to_plane;
+  Pixel4 sum{0, 0, 0, 0};
+  for (int i = 0; i < 4; ++i) {
+    const Eigen::Vector3f at =
+        m * Eigen::Vector3f(x + (i & 1 ? aside : -aside), y + (i & 2 ? aside : -aside), 1);
+    if (at.z() > 0) sum += seen_at_place(seen, footprint, at.x() / at.z(), at.y() / at.z());
+  }
+  return 0.25f * sum;
+}
+
+/// Where a chunk's rays meet a surface's plane.
+struct Renderer::Places {
+  float u[kChunk], v[kChunk], depth[kChunk];  ///< depth: its inverse; not positive where the plane is behind
+
+  Places(const Eigen::Matrix3f& m, const float* x, const float* y) {
+    for (int i = 0; i < kChunk; ++i) {
+      depth[i] = m(2, 0) * x[i] + m(2, 1) * y[i] + m(2, 2);
+      u[i] = (m(0, 0) * x[i] + m(0, 1) * y[i] + m(0, 2)) / depth[i];
+      v[i] = (m(1, 0) * x[i] + m(1, 1) * y[i] + m(1, 2)) / depth[i];
+    }
+  }
+  /// Along a row u and v only rise or only fall, so the ends tell; with a margin of two pixels for edges and lenses.
+  bool miss() const {
+    constexpr int last = kChunk - 1;
+    if (depth[0] <= 0 && depth[last] <= 0) return true;
+    if (depth[0] <= 0 || depth[last] <= 0) return false;
+    return outside(u[0], u[last]) || outside(v[0], v[last]);
+  }
+
+ private:
+  static bool outside(float a, float b) {
+    const float margin = std::abs(a - b) / 8 + 0.01f;
+    return std::max(a, b) < -margin || std::min(a, b) > 1 + margin;
+  }
+};
+
 void Renderer::draw_row(const Seen& seen, Row& row) const {
-  const auto aside =
-      static_cast<float>(0.25 / camera_.focal_px);  // of a pixel's four samples, where it has four
-  for (int begin = seen.left; begin <= seen.right; begin += kChunk) {
-    const int end = std::min(begin + kChunk, seen.right + 1);
-    const Footprint footprint = footprint_of(seen, row.rays + 2 * ((begin + end) / 2));
-    for (int x = begin; x < end; ++x) {
-      Pixel4& colour = row.colour[static_cast<std::size_t>(x)];
+  for (int begin = seen.left / kChunk * kChunk; begin <= seen.right; begin += kChunk) {
+    char& full = row.full[static_cast<std::size_t>(begin / kChunk)];
+    if (full) continue;
+    const Places places(seen.to_plane, row.x + begin, row.y + begin);
+    if (places.miss()) continue;
+    const Footprint footprint = footprint_of(seen, row.x[begin + kChunk / 2], row.y[begin + kChunk / 2]);
+    full = 1;
+    for (int i = 0; i < kChunk; ++i) {
+      Pixel4& colour = row.colour[static_cast<std::size_t>(begin + i)];
       if (colour[3] >= kOpaque) continue;
-      const float rx = row.rays[2 * x], ry = row.rays[2 * x + 1];
-      const Pixel4 more = seen.fine ? 0.25f * (seen_along(seen, footprint, rx - aside, ry - aside) +
-                                               seen_along(seen, footprint, rx + aside, ry - aside) +
-                                               seen_along(seen, footprint, rx - aside, ry + aside) +
-                                               seen_along(seen, footprint, rx + aside, ry + aside))
-                                    : seen_along(seen, footprint, rx, ry);
-      colour += (1 - colour[3]) * more;
+      if (seen.fine)
+        colour += (1 - colour[3]) * seen_finely(seen, footprint, row.x[begin + i], row.y[begin + i]);
+      else if (places.depth[i] > 0)
+        colour += (1 - colour[3]) * seen_at_place(seen, footprint, places.u[i], places.v[i]);
+      if (colour[3] < kOpaque) full = 0;
     }
   }
 }
 
 void Renderer::add_step(const Exposure& exposure, double t, cv::Mat& sum) const {
   const int width = camera_.picture.width, height = camera_.picture.height;
-  Row row{std::vector<Pixel4>(static_cast<std::size_t>(width)), nullptr};
+  Row row;
+  row.colour.resize(static_cast<std::size_t>(padded_));
+  row.full.resize(static_cast<std::size_t>(padded_ / kChunk));
   std::vector<Seen> seen = seen_at(exposure, t);
   double seen_for = 0;
   for (int y = 0; y < height; ++y) {
@@ -209,11 +264,13 @@ void Renderer::add_step(const Exposure& exposure, double t, cv::Mat& sum) const 
       seen_for = delay;
     }
     std::fill(row.colour.begin(), row.colour.end(), Pixel4{0, 0, 0, 0});
-    row.rays = rays_.data() + 2 * static_cast<std::size_t>(width) * static_cast<std::size_t>(y);
+    std::fill(row.full.begin(), row.full.end(), 0);
+    const std::size_t first = static_cast<std::size_t>(padded_) * static_cast<std::size_t>(y);
+    row.x = rays_x_.data() + first, row.y = rays_y_.data() + first;
     for (const Seen& surface : seen)
       if (y >= surface.top && y <= surface.bottom) draw_row(surface, row);
     float* out = sum.ptr<float>(y);
-    for (std::size_t x = 0; x < row.colour.size(); ++x, out += 3) {
+    for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x, out += 3) {
       // Where two walls meet, each covers a part of the pixel: what is missing is more of the same.
       const Pixel4 colour = row.colour[x] / std::max(row.colour[x][3], 1e-3f);
       out[0] += colour[0], out[1] += colour[1], out[2] += colour[2];

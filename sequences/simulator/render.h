@@ -30,22 +30,26 @@ class Renderer {
   struct Row;
   struct Seen;
   struct Footprint;
+  struct Places;
 
   Seen see(const Surface& surface, std::size_t index, const Pose& pose, double t) const;
   std::vector<Seen> seen_at(const Exposure& exposure, double t) const;
   void add_step(const Exposure& exposure, double t, cv::Mat& sum) const;
   void set_bounds(Seen& seen, const Eigen::Vector3d& corner, const Eigen::Vector3d& right,
                   const Eigen::Vector3d& down) const;
-  Footprint footprint_of(const Seen& seen, const float* ray) const;
-  static Pixel4 seen_along(const Seen& seen, const Footprint& footprint, float x, float y);
+  Footprint footprint_of(const Seen& seen, float x, float y) const;
+  static Pixel4 texel_at(const Footprint& footprint, float u, float v);
+  static Pixel4 seen_at_place(const Seen& seen, const Footprint& footprint, float u, float v);
   static float mirrored(const Seen& seen, const Eigen::Vector3f& point);
+  Pixel4 seen_finely(const Seen& seen, const Footprint& footprint, float x, float y) const;
   void draw_row(const Seen& seen, Row& row) const;
   std::optional<Eigen::Vector3d> first_hit(const Pose& pose, double t, Vec2 pixel) const;
 
   const Scene& scene_;
   Camera camera_;
-  std::vector<bool> fine_;   // surfaces that are sampled finely: targets' sheets
-  std::vector<float> rays_;  // normalised x and y of each pixel, row by row
+  std::vector<bool> fine_;              // surfaces that are sampled finely: targets' sheets
+  int padded_ = 0;                      // length of a row in rays_x_ and rays_y_
+  std::vector<float> rays_x_, rays_y_;  // normalised place of each pixel
 };
 
 }  // namespace relock::simulator

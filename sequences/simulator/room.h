@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/random.h"
-#include "sequences/simulator/painting.h"
 #include "sequences/simulator/material.h"
+#include "sequences/simulator/painting.h"
 #include "sequences/simulator/scene.h"
 
 namespace relock::simulator {

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <opencv2/imgproc.hpp>
 
+#include "core/display_coding.h"
 #include "core/error.h"
 #include "core/random.h"
 #include "sequences/encoded_picture.h"
@@ -73,8 +74,8 @@ cv::Mat printed(const cv::Mat& picture) {
   constexpr float kBlack = 0.04f, kWhite = 0.85f;
   cv::Mat table(1, 256, CV_8UC1), made;
   for (int i = 0; i < 256; ++i) {
-    const float share = kBlack + (kWhite - kBlack) * linear_of_srgb(static_cast<float>(i) / 255.0f);
-    table.at<uchar>(i) = cv::saturate_cast<uchar>(255.0f * srgb_of_linear(share));
+    const double share = kBlack + (kWhite - kBlack) * light_of_coded(i / 255.0);
+    table.at<uchar>(i) = cv::saturate_cast<uchar>(255 * coded_of_light(share));
   }
   cv::LUT(picture, table, made);
   return made;

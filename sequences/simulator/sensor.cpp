@@ -7,9 +7,9 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "core/display_coding.h"
 #include "core/error.h"
 #include "core/random.h"
-#include "sequences/simulator/display_coding.h"
 #include "sequences/simulator/sensor_noise.h"
 
 namespace relock::simulator {
@@ -24,7 +24,9 @@ cv::Mat1f gaussian(double sigma) {
   for (int n = -radius; n <= radius; ++n)
     kernel(n + radius) = std::exp(-t) * std::cyl_bessel_i(static_cast<double>(std::abs(n)), t);
   kernel /= cv::sum(kernel)[0];
-  return cv::Mat1f(kernel);
+  cv::Mat1f narrow;
+  kernel.convertTo(narrow, CV_32F);
+  return narrow;
 }
 
 void blur(const cv::Mat& from, cv::Mat& to, double sigma) {

@@ -6,13 +6,16 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "core/display_coding.h"
+
 namespace relock::simulator {
 namespace {
 
 const std::array<float, 256>& linear_of_byte() {
   static const std::array<float, 256> table = [] {
     std::array<float, 256> made{};
-    for (std::size_t i = 0; i < made.size(); ++i) made[i] = linear_of_srgb(static_cast<float>(i) / 255.0f);
+    for (std::size_t i = 0; i < made.size(); ++i)
+      made[i] = static_cast<float>(light_of_coded(static_cast<double>(i) / 255));
     return made;
   }();
   return table;
@@ -31,14 +34,6 @@ void linear_row(const uchar* bytes, int channels, const float* light, int width,
 }
 
 }  // namespace
-
-float linear_of_srgb(float coded) {
-  return coded <= 0.04045f ? coded / 12.92f : std::pow((coded + 0.055f) / 1.055f, 2.4f);
-}
-
-float srgb_of_linear(float linear) {
-  return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
-}
 
 Texture make_texture(const cv::Mat& picture, const cv::Mat& light) {
   const int channels = picture.channels();

@@ -18,8 +18,4 @@ struct Texture {
 /// coverage). `light`: one factor in linear light for each pixel, CV_32FC1 of any size (stretched), or empty.
 Texture make_texture(const cv::Mat& picture, const cv::Mat& light = {});
 
-/// Between sRGB coding and linear light, both in [0, 1] (IEC 61966-2-1).
-float linear_of_srgb(float coded);
-float srgb_of_linear(float linear);
-
 }  // namespace relock::simulator

@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 #include <thread>
 
-#include "sequences/simulator/display_coding.h"
+#include "core/display_coding.h"
 #include "sequences/simulator/sensor_noise.h"
 #include "tests/sequences/scratch.h"
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/display_coding.h"
+
 #include <algorithm>
 #include <opencv2/core.hpp>
 
@@ -22,15 +24,15 @@ cv::Mat some_picture(cv::Size size, int type, std::uint64_t seed = 1) {
 TEST(Srgb, ComesBackFromLinearLight) {
   for (int i = 0; i <= 1000; ++i) {
     const float coded = static_cast<float>(i) / 1000;
-    EXPECT_NEAR(srgb_of_linear(linear_of_srgb(coded)), coded, 1e-5);
+    EXPECT_NEAR(coded_of_light(light_of_coded(coded)), coded, 1e-5);
   }
 }
 
 TEST(Srgb, AgreesWithWorkedValuesOfTheStandard) {
-  EXPECT_FLOAT_EQ(linear_of_srgb(0), 0);
-  EXPECT_FLOAT_EQ(linear_of_srgb(1), 1);
-  EXPECT_NEAR(linear_of_srgb(0.04045f), 0.0031308, 1e-6);
-  EXPECT_NEAR(linear_of_srgb(0.5f), 0.2140411, 1e-6);
+  EXPECT_DOUBLE_EQ(light_of_coded(0), 0);
+  EXPECT_DOUBLE_EQ(light_of_coded(1), 1);
+  EXPECT_NEAR(light_of_coded(0.04045), 0.0031308, 1e-6);
+  EXPECT_NEAR(light_of_coded(0.5), 0.2140411, 1e-6);
 }
 
 TEST(Texture, HasTheSameMeanLightInEveryLevelWhateverItsSize) {
