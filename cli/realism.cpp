@@ -20,6 +20,8 @@ namespace {
 
 /// Largest ratio either way at which a simulated quantity still counts as near the real one.
 constexpr double kNear = 2;
+/// Noise is told apart no finer than this, grey levels: both are below what 8 bits and JPEG leave of it.
+constexpr double kNoiseNear = 0.5;
 /// Published steps of blurred benchmark targets, in D: the lowest and the highest of several sequences.
 constexpr double kStepMedian[] = {0.11, 0.30}, kStepP95[] = {0.29, 0.72};
 
@@ -64,6 +66,21 @@ class Comparison {
       verdict = judge(*simulated, *real / kNear, *real * kNear);
     table_.add({name, text(simulated, form), text(real, form), "", verdict});
   }
+  void add_noise(const std::string& name, std::optional<double> simulated, std::optional<double> real) {
+    if (!simulated && !real) return;
+    std::string verdict = "n/a";
+    if (simulated && real) verdict = judge(*simulated, *real - kNoiseNear, *real + kNoiseNear);
+    table_.add({name, text(simulated), text(real), "", verdict});
+  }
+  /// What is shorter than can be told counts as just that.
+  void add_blur(const std::string& name, std::optional<double> simulated, std::optional<double> real) {
+    std::string verdict = "n/a";
+    if (simulated && real) {
+      const double length = std::max(*real, kLeastBlur_px);
+      verdict = judge(std::max(*simulated, kLeastBlur_px), length / kNear, length * kNear);
+    }
+    table_.add({name, text(simulated, "{:.1f}"), text(real, "{:.1f}"), "", verdict});
+  }
   /// Within the published range, widened by kNear at both ends.
   void add_published(const std::string& name, std::optional<double> simulated, std::optional<double> real,
                      const double (&range)[2]) {
@@ -95,12 +112,12 @@ Comparison compare(const Measured& a, const Measured& b) {
   all.add("gradient mean, levels/px", a.appearance.gradient_mean, b.appearance.gradient_mean);
   all.add("gradient p95", a.appearance.gradient_p95, b.appearance.gradient_p95);
   for (std::size_t i = 0; i < Appearance::kShades; ++i)
-    all.add(fmt::format("noise at grey {} to {}, levels", 32 * i, 32 * i + 31), a.appearance.noise[i],
-            b.appearance.noise[i]);
-  all.add("blur estimated, median px", of(a.blur.length_px, &Spread::median),
-          of(b.blur.length_px, &Spread::median), "{:.1f}");
-  all.add("blur estimated, p95 px", of(a.blur.length_px, &Spread::p95), of(b.blur.length_px, &Spread::p95),
-          "{:.1f}");
+    all.add_noise(fmt::format("noise at grey {} to {}, levels", 32 * i, 32 * i + 31), a.appearance.noise[i],
+                  b.appearance.noise[i]);
+  all.add_blur("blur estimated, median px", of(a.blur.length_px, &Spread::median),
+               of(b.blur.length_px, &Spread::median));
+  all.add_blur("blur estimated, p95 px", of(a.blur.length_px, &Spread::p95),
+               of(b.blur.length_px, &Spread::p95));
   all.add_published("step, median D", of(a.step_d, &Spread::median), of(b.step_d, &Spread::median),
                     kStepMedian);
   all.add_published("step, p95 D", of(a.step_d, &Spread::p95), of(b.step_d, &Spread::p95), kStepP95);
@@ -114,9 +131,10 @@ int realism(const RealismArguments& arguments) {
   const Comparison all = compare(measure(arguments.simulated), measure(arguments.real));
   fmt::print("{} beside {}\n\n{}\n", arguments.simulated.string(), arguments.real.string(), all.table());
   fmt::print(
-      "  near: within a factor of {:g} of the real footage; steps: of the range of published benchmark "
-      "targets.\n",
-      kNear);
+      "  near: within a factor of {:g} of the real footage (noise: {:g} levels; blur under {:g} px counts as "
+      "that);\n"
+      "  steps: of the range of published benchmark targets.\n",
+      kNear, kNoiseNear, kLeastBlur_px);
   fmt::print("  Blur and noise are estimates from the pictures (docs/simulating.md).\n");
   return all.far() == 0 ? 0 : 1;
 }

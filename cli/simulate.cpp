@@ -9,6 +9,7 @@
 #include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "core/error.h"
+#include "sequences/simulator/canvas_plan.h"
 #include "sequences/simulator/flight.h"
 
 namespace relock {
@@ -26,7 +27,6 @@ int list_presets() {
 }
 
 FlightPlan plan_of(const SimulateArguments& a) {
-  if (a.plan && a.preset) throw Error("a plan names its own preset; leave --preset out");
   FlightPlan plan =
       a.plan ? simulator::read_flight_plan(*a.plan) : simulator::flight_preset(a.preset.value_or("ardrone"));
   if (!a.targets.empty()) plan.targets.clear();
@@ -53,10 +53,36 @@ void print_summary(const SimulateArguments& a, const FlightPlan& plan,
         flown.capped, plan.exposure.most_steps, plan.exposure.step_px, flown.coarsest_step_px);
 }
 
+bool wants_canvas(const SimulateArguments& a) {
+  return a.plan ? simulator::is_canvas_file(*a.plan) : a.preset == "canvas";
+}
+
+int make_canvas(const SimulateArguments& a) {
+  simulator::CanvasFile canvas = a.plan ? simulator::read_canvas_file(*a.plan) : simulator::CanvasFile{};
+  if (a.targets.size() > 1) throw Error("a canvas shows one target");
+  if (a.duration_s || a.gaps || a.preview)
+    throw Error("a canvas has no time: leave out --duration, --gaps and --preview");
+  if (!a.targets.empty()) canvas.target = a.targets.front();
+  canvas.seed = a.seed.value_or(canvas.seed);
+  const std::string text = simulator::canvas_file_text(canvas);
+  if (a.show) {
+    fmt::print("{}", text);
+    return 0;
+  }
+  if (!a.out) throw Error("where the pictures go is missing: --out FOLDER");
+  constexpr double kAnySize_m = 0.15;  // the plan says how large it is in the picture
+  simulator::write_canvas(*a.out, canvas.plan, print_target(canvas.target, kAnySize_m), canvas.seed, text);
+  fmt::print("{}: {} pictures of {} on {}x{}\n", a.out->string(), simulator::canvas_pictures(canvas.plan),
+             canvas.target, canvas.plan.canvas_px, canvas.plan.canvas_px);
+  return 0;
+}
+
 }  // namespace
 
 int simulate(const SimulateArguments& arguments) {
   if (arguments.list) return list_presets();
+  if (arguments.plan && arguments.preset) throw Error("a plan names its own preset; leave --preset out");
+  if (wants_canvas(arguments)) return make_canvas(arguments);
   const FlightPlan plan = plan_of(arguments);
   if (arguments.show) {
     fmt::print("{}", simulator::flight_plan_text(plan));

@@ -181,7 +181,7 @@ CanvasPicture canvas_picture(const CanvasPlan& plan, const PrintedTarget& target
 }
 
 void write_canvas(const fs::path& folder, const CanvasPlan& plan, const PrintedTarget& target,
-                  std::uint64_t seed) {
+                  std::uint64_t seed, const std::string& plan_text) {
   check_canvas(plan);
   check_target(target);
   Draft draft(folder);
@@ -196,6 +196,9 @@ void write_canvas(const fs::path& folder, const CanvasPlan& plan, const PrintedT
     recording.truth.push_back(made.truth);
   }
   write_truth(draft.path(), recording);
+  if (!plan_text.empty())
+    write_bytes(draft.path() / "canvas.toml",
+                {reinterpret_cast<const std::uint8_t*>(plan_text.data()), plan_text.size()});
   draft.put_in_place();
 }
 

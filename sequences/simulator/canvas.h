@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
+#include <string>
 #include <vector>
 
 #include "core/printed_target.h"
@@ -47,8 +48,8 @@ CanvasPicture canvas_picture(const CanvasPlan& plan, const PrintedTarget& target
                              std::uint64_t seed);
 
 /// Writes all pictures as a recording that open_sequence reads, at 30 Hz, named as the folder is. `folder` is
-/// whole or not there at all. Throws Error when it exists, on a plan or target that cannot be, and on a full disk.
+/// whole or not there at all. `plan_text`, if any, is kept in it as canvas.toml. Throws Error when it exists, on a plan or target that cannot be, and on a full disk.
 void write_canvas(const std::filesystem::path& folder, const CanvasPlan& plan, const PrintedTarget& target,
-                  std::uint64_t seed);
+                  std::uint64_t seed, const std::string& plan_text = {});
 
 }  // namespace relock::simulator

@@ -222,6 +222,10 @@ struct Renderer::Places {
     if (depth[0] <= 0 || depth[last] <= 0) return false;
     return outside(u[0], u[last]) || outside(v[0], v[last]);
   }
+  /// Whether pixel i is on the surface or a tenth of it beside it.
+  bool near(int i) const {
+    return depth[i] > 0 && u[i] > -0.1f && u[i] < 1.1f && v[i] > -0.1f && v[i] < 1.1f;
+  }
 
  private:
   static bool outside(float a, float b) {
@@ -241,9 +245,10 @@ void Renderer::draw_row(const Seen& seen, Row& row) const {
     for (int i = 0; i < kChunk; ++i) {
       Pixel4& colour = row.colour[static_cast<std::size_t>(begin + i)];
       if (colour[3] >= kOpaque) continue;
-      if (seen.fine)
-        colour += (1 - colour[3]) * seen_finely(seen, footprint, row.x[begin + i], row.y[begin + i]);
-      else if (places.depth[i] > 0)
+      if (seen.fine && places.near(i)) {  // each with a footprint of its own: truth is held against these
+        const float x = row.x[begin + i], y = row.y[begin + i];
+        colour += (1 - colour[3]) * seen_finely(seen, footprint_of(seen, x, y), x, y);
+      } else if (!seen.fine && places.depth[i] > 0)
         colour += (1 - colour[3]) * seen_at_place(seen, footprint, places.u[i], places.v[i]);
       if (colour[3] < kOpaque) full = 0;
     }
