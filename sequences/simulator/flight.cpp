@@ -161,7 +161,7 @@ class Film {
     if (preview_) preview_->add(picture, flown.captured);
     summary_.mean_motion_px += flown.motion_px;
     const double step = flown.steps > 1 ? flown.motion_px / flown.steps : 0;
-    if (flown.steps == plan_.exposure.most_steps && step > plan_.exposure.step_px) {
+    if (flown.steps == plan_.exposure.most_steps && step > 1.05 * plan_.exposure.step_px) {
       ++summary_.capped;
       summary_.coarsest_step_px = std::max(summary_.coarsest_step_px, step);
     }

@@ -30,9 +30,9 @@ struct MotionPlan {
   double sweep_m = 1.2;
 
   double drift_m = 0.08;        ///< RMS of each axis
-  double drift_hz = 0.3;        ///< corner frequency
-  double sway_deg = 1.5;        ///< RMS of yaw, pitch and roll
-  double sway_hz = 0.8;         ///< corner frequency
+  double drift_hz = 0.4;        ///< corner frequency
+  double sway_deg = 2.2;        ///< RMS of yaw, pitch and roll
+  double sway_hz = 1.2;         ///< corner frequency
   double vibration_deg = 0.03;  ///< RMS of yaw, pitch and roll
   double vibration_hz = 12;     ///< corner frequency
 
