@@ -222,6 +222,11 @@ struct Renderer::Places {
     if (depth[0] <= 0 || depth[last] <= 0) return false;
     return outside(u[0], u[last]) || outside(v[0], v[last]);
   }
+  /// Whether all pixels see the plane from about as far.
+  bool alike() const {
+    const float a = depth[0], b = depth[kChunk - 1];
+    return a > 0 && b > 0 && std::max(a, b) < 1.2f * std::min(a, b);
+  }
   /// Whether pixel i is on the surface or a tenth of it beside it.
   bool near(int i) const {
     return depth[i] > 0 && u[i] > -0.1f && u[i] < 1.1f && v[i] > -0.1f && v[i] < 1.1f;
@@ -238,18 +243,21 @@ void Renderer::draw_row(const Seen& seen, Row& row) const {
   for (int begin = seen.left / kChunk * kChunk; begin <= seen.right; begin += kChunk) {
     char& full = row.full[static_cast<std::size_t>(begin / kChunk)];
     if (full) continue;
-    const Places places(seen.to_plane, row.x + begin, row.y + begin);
+    const float *x = row.x + begin, *y = row.y + begin;
+    const Places places(seen.to_plane, x, y);
     if (places.miss()) continue;
-    const Footprint footprint = footprint_of(seen, row.x[begin + kChunk / 2], row.y[begin + kChunk / 2]);
+    // Each pixel has a footprint of its own on sheets, against which truth is held, and on what is seen edge-on.
+    const bool alike = !seen.fine && places.alike();
+    Footprint footprint = footprint_of(seen, x[kChunk / 2], y[kChunk / 2]);
     full = 1;
     for (int i = 0; i < kChunk; ++i) {
       Pixel4& colour = row.colour[static_cast<std::size_t>(begin + i)];
       if (colour[3] >= kOpaque) continue;
-      if (seen.fine && places.near(i)) {  // each with a footprint of its own: truth is held against these
-        const float x = row.x[begin + i], y = row.y[begin + i];
-        colour += (1 - colour[3]) * seen_finely(seen, footprint_of(seen, x, y), x, y);
-      } else if (!seen.fine && places.depth[i] > 0)
-        colour += (1 - colour[3]) * seen_at_place(seen, footprint, places.u[i], places.v[i]);
+      if (places.depth[i] > 0 && (alike || places.near(i))) {
+        if (!alike) footprint = footprint_of(seen, x[i], y[i]);
+        colour += (1 - colour[3]) * (seen.fine ? seen_finely(seen, footprint, x[i], y[i])
+                                               : seen_at_place(seen, footprint, places.u[i], places.v[i]));
+      }
       if (colour[3] < kOpaque) full = 0;
     }
   }
