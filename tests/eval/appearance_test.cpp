@@ -26,7 +26,7 @@ TEST(Appearance, OfARampHasItsSlopeAndNoNoise) {
   EXPECT_NEAR(appearance.gradient_mean, 1, 0.2);
   EXPECT_NEAR(appearance.mean_gray, 20 + 79.5, 0.5);
   for (const auto& noise : appearance.noise)
-    if (noise) EXPECT_LT(*noise, 0.1);
+    EXPECT_LT(noise.value_or(0), 0.1);
 }
 
 TEST(Appearance, FindsTheNoiseOfEachShade) {
