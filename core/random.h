@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace relock {
 
@@ -16,6 +18,11 @@ class Random {
   }
   /// Uniform in [0, 1), 53 bits.
   double uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
+  /// Standard normal (Box and Muller 1958): of two uniform numbers.
+  double normal() {
+    const double radius = std::sqrt(-2 * std::log(1 - uniform()));
+    return radius * std::cos(2 * std::numbers::pi * uniform());
+  }
   /// True with probability p.
   bool chance(double p) { return uniform() < p; }
   /// Uniform in {0, …, n - 1}; n > 0.

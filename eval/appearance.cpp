@@ -12,6 +12,8 @@ namespace {
 
 constexpr int kBlock = 8;
 constexpr std::uint64_t kFewestBlocks = 50;
+/// Of pure noise, a tenth of the blocks show less than this part of it.
+constexpr double kQuietestTenth = 0.79;
 
 /// Where in a histogram the share of all that lies below is `share`, in bins.
 double quantile_bin(const std::uint64_t* bins, std::size_t count, std::uint64_t total, double share) {
@@ -83,7 +85,8 @@ Appearance AppearanceGatherer::result() const {
     const std::uint64_t* bins = noises_.data() + shade * kNoises;
     std::uint64_t blocks = 0;
     for (std::size_t i = 0; i < kNoises; ++i) blocks += bins[i];
-    if (blocks >= kFewestBlocks) appearance.noise[shade] = quantile_bin(bins, kNoises, blocks, 0.1) / 16;
+    if (blocks >= kFewestBlocks)
+      appearance.noise[shade] = quantile_bin(bins, kNoises, blocks, 0.1) / 16 / kQuietestTenth;
   }
   return appearance;
 }

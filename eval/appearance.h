@@ -24,7 +24,7 @@ struct Appearance {
 ///
 /// Noise is estimated in blocks of 8 px by the mean absolute answer of a mask that no plane and no straight change of slope
 /// answers to (Immerkaer 1996, Fast Noise Variance Estimation); texture answers too, so of all blocks of a shade the tenth part
-/// with the least is believed. It is what is left after the camera's own processing and JPEG.
+/// with the least is believed (and corrected for being the least). It is what is left after the camera's own processing and JPEG.
 class AppearanceGatherer {
  public:
   AppearanceGatherer();

@@ -6,22 +6,19 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "sequences/simulator/range.h"
 
 namespace relock::simulator {
 
 void check_exposure(const ExposurePlan& plan, double period_s) {
-  const auto from = [](const char* what, double value, double least, double most) {
-    if (!(value >= least && value <= most))
-      throw Error(fmt::format("exposure: {} is {}; it must be from {} to {}", what, value, least, most));
-  };
   const double most_ms = 1000 * period_s;
-  from("time_ms", plan.time_ms, 0.001, most_ms);
-  if (plan.automatic) from("longest_ms", plan.longest_ms, plan.time_ms, most_ms);
-  from("light", plan.light, 1e-3, 10);
-  from("light_end", plan.light_end, 1e-3, 10);
-  from("readout_ms", plan.readout_ms, 0, most_ms);
-  from("step_px", plan.step_px, 0.1, 10);
-  from("most_steps", plan.most_steps, 1, 1024);
+  check_range("exposure: time_ms", plan.time_ms, 0.001, most_ms);
+  if (plan.automatic) check_range("exposure: longest_ms", plan.longest_ms, plan.time_ms, most_ms);
+  check_range("exposure: light", plan.light, 1e-3, 10);
+  check_range("exposure: light_end", plan.light_end, 1e-3, 10);
+  check_range("exposure: readout_ms", plan.readout_ms, 0, most_ms);
+  check_range("exposure: step_px", plan.step_px, 0.1, 10);
+  check_range("exposure: most_steps", plan.most_steps, 1, 1024);
 }
 
 Exposure::Exposure(const ExposurePlan& plan, const Motion& motion, double middle_s, double flight_share)

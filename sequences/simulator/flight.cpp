@@ -8,7 +8,6 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
-#include <numbers>
 #include <thread>
 
 #include "core/error.h"
@@ -35,9 +34,8 @@ std::vector<Time> exposure_times(const FlightPlan& plan) {
   std::vector<Time> times;
   times.reserve(static_cast<std::size_t>(frames));
   for (std::int64_t i = 0; i < frames; ++i) {
-    const double normal =
-        std::sqrt(-2 * std::log(1 - random.uniform())) * std::cos(2 * std::numbers::pi * random.uniform());
-    const double off = std::clamp(plan.timing.jitter_ms / 1000 * normal, -0.4 * period, 0.4 * period);
+    const double off =
+        std::clamp(plan.timing.jitter_ms / 1000 * random.normal(), -0.4 * period, 0.4 * period);
     times.push_back(Time{from_seconds((static_cast<double>(i) + 0.5) * period + off)});
   }
   return times;

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/toml_table.h"
 #include "sequences/gaps.h"
+#include "sequences/simulator/range.h"
 
 namespace relock::simulator {
 namespace {
@@ -221,29 +222,19 @@ std::string flight_plan_text(const FlightPlan& plan) {
 }
 
 void check_flight_plan(const FlightPlan& plan) {
-  const auto from = [](const char* what, double value, double least, double most) {
-    if (!(value >= least && value <= most))
-      throw Error(fmt::format("{} is {}; it must be from {} to {}", what, value, least, most));
-  };
-  from("duration_s", plan.duration_s, 0.01, 86400);
-  from("camera: rate_hz", plan.camera.rate_hz, 1, 1000);
-  from("camera: diagonal_deg", plan.camera.diagonal_deg, 5, 170);
+  check_range("duration_s", plan.duration_s, 0.01, 86400);
+  check_range("camera: rate_hz", plan.camera.rate_hz, 1, 1000);
+  check_range("camera: diagonal_deg", plan.camera.diagonal_deg, 5, 170);
   const double period_s = 1 / plan.camera.rate_hz;
-  from("timing: jitter_ms", plan.timing.jitter_ms, 0, 1000 * period_s / 3);
+  check_range("timing: jitter_ms", plan.timing.jitter_ms, 0, 1000 * period_s / 3);
   GapPattern::parse(plan.timing.gaps);
   check_motion(plan.motion);
   check_exposure(plan.exposure, period_s);
-  from("scene: clutter", plan.scene.clutter, 0, 1);
-  from("scene: light_gradient", plan.scene.light_gradient, 0, 1);
-  from("scene: shadows", plan.scene.shadows, 0, 1);
-  from("scene: gloss", plan.scene.gloss, 0, 10);
-  from("scene: occluders_hz", plan.scene.occluders_hz, 0, 5);
-  from("scene: spacing_m", plan.scene.spacing_m, 0.01, 3);
-  from("scene: box_side_m", plan.scene.box_side_m, 0.05, 1.5);
+  check_scene(plan.scene);
   check_sensor(plan.sensor);
   check_transport(plan.transport);
   if (plan.targets.empty()) throw Error("a flight needs a target");
-  for (const PlannedTarget& target : plan.targets) from("target: size_m", target.size_m, 1e-3, 3);
+  for (const PlannedTarget& target : plan.targets) check_range("target: size_m", target.size_m, 1e-3, 3);
   if (plan.motion.path == Path::revolve && plan.motion.distance_m < plan.scene.box_side_m)
     throw Error("motion: distance_m brings the camera into the box that it revolves round");
 }

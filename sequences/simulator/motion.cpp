@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/random.h"
+#include "sequences/simulator/range.h"
 
 namespace relock::simulator {
 namespace {
@@ -19,12 +20,6 @@ constexpr int kSines = 24;
 // Keys of what is drawn, so that changing one thing leaves the others as they are.
 enum Key : std::uint64_t { kDrift = 1, kSway = 4, kVibration = 7, kHeadings = 10, kStrokes = 12 };
 
-/// Two independent standard normal numbers make one; Box and Muller 1958.
-double normal(Random& random) {
-  const double radius = std::sqrt(-2 * std::log(1 - random.uniform()));
-  return radius * std::cos(2 * kPi * random.uniform());
-}
-
 /// From 0 to 1 with the least jerk, 0 <= u <= 1; its steepest slope is 15/8.
 double smooth(double u) {
   u = std::clamp(u, 0.0, 1.0);
@@ -35,26 +30,22 @@ constexpr double kSteepest = 15.0 / 8;
 }  // namespace
 
 void check_motion(const MotionPlan& plan) {
-  const auto from = [](const char* what, double value, double least, double most) {
-    if (!(value >= least && value <= most))
-      throw Error(fmt::format("motion: {} is {}; it must be from {} to {}", what, value, least, most));
-  };
-  from("distance_m", plan.distance_m, 0.1, 4);
-  from("nearest_m", plan.nearest_m, 0.1, plan.distance_m);
-  from("path_period_s", plan.path_period_s, 0.5, 1e4);
-  from("sweep_m", plan.sweep_m, 0, 2);
-  from("drift_m", plan.drift_m, 0, 0.5);
-  from("sway_deg", plan.sway_deg, 0, 45);
-  from("vibration_deg", plan.vibration_deg, 0, 10);
+  check_range("motion: distance_m", plan.distance_m, 0.1, 4);
+  check_range("motion: nearest_m", plan.nearest_m, 0.1, plan.distance_m);
+  check_range("motion: path_period_s", plan.path_period_s, 0.5, 1e4);
+  check_range("motion: sweep_m", plan.sweep_m, 0, 2);
+  check_range("motion: drift_m", plan.drift_m, 0, 0.5);
+  check_range("motion: sway_deg", plan.sway_deg, 0, 45);
+  check_range("motion: vibration_deg", plan.vibration_deg, 0, 10);
   for (const double hz : {plan.drift_hz, plan.sway_hz, plan.vibration_hz})
-    from("a corner frequency", hz, 0.01, 500);
-  from("steps_hz", plan.steps_hz, 0, 20);
-  from("step_deg", plan.step_deg, 0, 90);
-  from("step_s", plan.step_s, 0.01, 10);
-  from("strokes_hz", plan.strokes_hz, 0, 20);
-  from("stroke_deg", plan.stroke_deg, 0, 90);
-  from("stroke_s", plan.stroke_s, 0.01, 10);
-  from("most_rate_deg_s", plan.most_rate_deg_s, 1, 5000);
+    check_range("motion: a corner frequency", hz, 0.01, 500);
+  check_range("motion: steps_hz", plan.steps_hz, 0, 20);
+  check_range("motion: step_deg", plan.step_deg, 0, 90);
+  check_range("motion: step_s", plan.step_s, 0.01, 10);
+  check_range("motion: strokes_hz", plan.strokes_hz, 0, 20);
+  check_range("motion: stroke_deg", plan.stroke_deg, 0, 90);
+  check_range("motion: stroke_s", plan.stroke_s, 0.01, 10);
+  check_range("motion: most_rate_deg_s", plan.most_rate_deg_s, 1, 5000);
 }
 
 Motion::Motion(const MotionPlan& plan, std::uint64_t seed, double axis_m)
@@ -102,7 +93,7 @@ double Motion::heading(double t, int axis) const {
     Random random = Random(seed_).fork(kHeadings).fork(static_cast<std::uint64_t>(index));
     const double begins = (static_cast<double>(index) + random.uniform()) * span;
     double deviation = 0;
-    for (int i = 0; i <= axis; ++i) deviation = normal(random);
+    for (int i = 0; i <= axis; ++i) deviation = random.normal();
     return std::pair(begins, std::clamp(plan_.step_deg * deviation, -most, most) * kRadians);
   };
   // A step may still be going on from the span before; each adds the change it makes.
@@ -124,7 +115,7 @@ double Motion::stroke(double t, int axis) const {
     Random random = Random(seed_).fork(kStrokes).fork(static_cast<std::uint64_t>(i));
     const double u = (t - (static_cast<double>(i) + random.uniform()) * span) / takes;
     double deviation = 0;
-    for (int k = 0; k <= axis; ++k) deviation = normal(random);
+    for (int k = 0; k <= axis; ++k) deviation = random.normal();
     at += std::clamp(plan_.stroke_deg * deviation, -most, most) * kRadians *
           (smooth(2 * u) - smooth(2 * u - 1));
   }

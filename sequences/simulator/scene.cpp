@@ -16,6 +16,7 @@
 #include "sequences/simulator/layout.h"
 #include "sequences/simulator/light.h"
 #include "sequences/simulator/occluder.h"
+#include "sequences/simulator/range.h"
 #include "sequences/simulator/room.h"
 
 namespace relock::simulator {
@@ -30,21 +31,6 @@ constexpr Side kAllSides[] = {Side::floor, Side::ceiling, Side::behind, Side::le
 constexpr double kFinestWall = 700;  // texels per m: a target of 0.15 m is seen at up to 220 px
 constexpr double kPatchTexels = 1.4e6;
 constexpr int kWidestSheet = 768;
-
-void check_range(const char* name, double value, double low, double high) {
-  if (!(value >= low && value <= high))
-    throw Error(fmt::format("scene option {} is {}; it must be from {} to {}", name, value, low, high));
-}
-
-void check(const ScenePlan& plan) {
-  check_range("spacing_m", plan.spacing_m, 0.01, 5);
-  check_range("box_side_m", plan.box_side_m, 0.01, 1.5);
-  check_range("clutter", plan.clutter, 0, 1);
-  check_range("light_gradient", plan.light_gradient, 0, 1);
-  check_range("shadows", plan.shadows, 0, 1);
-  check_range("gloss", plan.gloss, 0, 100);
-  check_range("occluders_hz", plan.occluders_hz, 0, 5);
-}
 
 // The user's picture, cut to the form of the wall and no larger than is worth its memory.
 cv::Mat read_background(const std::filesystem::path& path, const cv::Size2d& wall) {
@@ -240,8 +226,18 @@ class Builder {
 
 }  // namespace
 
+void check_scene(const ScenePlan& plan) {
+  check_range("scene: spacing_m", plan.spacing_m, 0.01, 5);
+  check_range("scene: box_side_m", plan.box_side_m, 0.01, 1.5);
+  check_range("scene: clutter", plan.clutter, 0, 1);
+  check_range("scene: light_gradient", plan.light_gradient, 0, 1);
+  check_range("scene: shadows", plan.shadows, 0, 1);
+  check_range("scene: gloss", plan.gloss, 0, 100);
+  check_range("scene: occluders_hz", plan.occluders_hz, 0, 5);
+}
+
 Scene build_scene(const ScenePlan& plan, const std::vector<PrintedTarget>& targets, std::uint64_t seed) {
-  check(plan);
+  check_scene(plan);
   return Builder(plan, targets, seed).build();
 }
 

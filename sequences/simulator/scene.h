@@ -65,6 +65,9 @@ struct ScenePlan {
   double occluders_hz = 0.0;    ///< how often something passes before each target, from 1 s on; 0 to 5
 };
 
+/// Throws Error on a quantity that is out of range.
+void check_scene(const ScenePlan& plan);
+
 /// Builds a room around the targets: 6 x 3 x 6 m, the floor 1.3 m below the main target. Around it the camera may
 /// stand 0.3 to 4 m from the wall, or anywhere up to 2.5 m from the box. White paper in full light is 0.81.
 /// Deterministic in `seed`. Throws Error on a background that is no picture, a number outside its range, no

@@ -10,6 +10,7 @@
 #include "core/display_coding.h"
 #include "core/error.h"
 #include "core/random.h"
+#include "sequences/simulator/range.h"
 #include "sequences/simulator/sensor_noise.h"
 
 namespace relock::simulator {
@@ -148,19 +149,14 @@ void write_coded(float* signal, bool srgb, int samples) {
   }
 }
 
-void check_between(const char* name, double value, double least, double most) {
-  if (value >= least && value <= most) return;
-  throw Error(fmt::format("{} of a sensor must be from {} to {}, not {}", name, least, most, value));
-}
-
 }  // namespace
 
 void check_sensor(const SensorPlan& plan) {
-  check_between("full_well_e", plan.full_well_e, 0, 1e9);
-  check_between("read_noise_e", plan.read_noise_e, 0, 1e9);
-  check_between("vignetting", plan.vignetting, 0, 0.99);
-  check_between("defocus_px", plan.defocus_px, 0, 20);
-  check_between("sharpening", plan.sharpening, 0, 10);
+  check_range("sensor: full_well_e", plan.full_well_e, 0, 1e9);
+  check_range("sensor: read_noise_e", plan.read_noise_e, 0, 1e9);
+  check_range("sensor: vignetting", plan.vignetting, 0, 0.99);
+  check_range("sensor: defocus_px", plan.defocus_px, 0, 20);
+  check_range("sensor: sharpening", plan.sharpening, 0, 10);
 }
 
 void develop(cv::Mat& light, const SensorPlan& plan, double gain, std::uint64_t seed, cv::Mat& out) {

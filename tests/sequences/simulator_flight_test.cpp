@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "tests/sequences/scratch.h"
 #include "sequences/open.h"
+#include "tests/sequences/scratch.h"
 
 namespace relock::simulator {
 namespace {

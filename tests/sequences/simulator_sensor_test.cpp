@@ -166,9 +166,8 @@ TEST(Sensor, NamesThePartOfItsPlanThatIsOutOfRange) {
   SensorPlan plan;
   EXPECT_EQ(fault_of([&] { check_sensor(plan); }), "");
   plan.vignetting = 1;
-  EXPECT_NE(
-      fault_of([&] { check_sensor(plan); }).find("vignetting of a sensor must be from 0 to 0.99, not 1"),
-      std::string::npos);
+  EXPECT_NE(fault_of([&] { check_sensor(plan); }).find("sensor: vignetting is 1; it must be from 0 to 0.99"),
+            std::string::npos);
   plan = {};
   plan.read_noise_e = NAN;
   EXPECT_NE(fault_of([&] { check_sensor(plan); }).find("read_noise_e"), std::string::npos);
