@@ -293,8 +293,8 @@ void Renderer::add_step(const Exposure& exposure, double t, cv::Mat& sum) const 
 
 int Renderer::steps_for(double motion_px, const ExposurePlan& plan) {
   if (motion_px < 1e-3) return 1;
-  return static_cast<int>(
-      std::clamp(std::ceil(motion_px / plan.step_px) + 1, 2.0, std::max(1.0, 1.0 * plan.most_steps)));
+  const double wanted = std::max(2.0, std::ceil(motion_px / plan.step_px));
+  return static_cast<int>(std::min(wanted, static_cast<double>(plan.most_steps)));
 }
 
 void Renderer::render(const Exposure& exposure, int steps, cv::Mat& light) const {
