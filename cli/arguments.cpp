@@ -145,7 +145,8 @@ void add_marker(CLI::App& app, MarkerArguments& a) {
   verb.add_option("--geometry", a.rings.geometry,
                   "rings: paper, even, or all radii from the innermost on: 0.2-0.4,0.6-0.7,0.8-1")
       ->capture_default_str();
-  verb.add_option("--quiet-zone", a.rings.quiet_zone, "rings: black up to this many radii")->capture_default_str();
+  verb.add_option("--quiet-zone", a.rings.quiet_zone, "rings: black up to this many radii")
+      ->capture_default_str();
   verb.add_option("--soft-border", a.rings.soft_border, "rings: width of the passage to white, in radii")
       ->capture_default_str();
   verb.add_flag("--inverted", a.rings.inverted, "rings: black on white");

@@ -48,7 +48,7 @@ struct TrackerEntry {
   bool deterministic = true;    ///< the same seed gives the same answers
   bool honours_expect = false;  ///< Tracker::expect changes what it does
   std::vector<KnownFault> known_faults = {};
-  std::string needs = {};       ///< what it cannot work without and relock does not bring; empty: it is ready
+  std::string needs = {};  ///< what it cannot work without and relock does not bring; empty: it is ready
   /// A new tracker for one start.
   std::function<std::unique_ptr<Tracker>(const Options&, std::uint64_t seed)> make;
   std::optional<PluginFile> plugin = {};  ///< where it comes from; empty: built in
