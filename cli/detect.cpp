@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "cli/catalogue.h"
+#include "cli/files.h"
 #include "cli/verbs.h"
 #include "core/error.h"
 #include "core/opencv.h"
@@ -110,13 +111,6 @@ cv::Mat drawn(cv::Mat picture, const Sightings& sightings) {
   return picture;
 }
 
-/// Where the drawing of the n-th of several pictures goes: "out.png", "out-2.png", "out-3.png", …
-std::filesystem::path drawing_path(const std::filesystem::path& asked, std::size_t n) {
-  if (n == 0) return asked;
-  return asked.parent_path() /
-         fmt::format("{}-{}{}", asked.stem().string(), n + 1, asked.extension().string());
-}
-
 void write_drawing(const std::filesystem::path& path, const cv::Mat& picture) {
   bool written = false;
   try {
@@ -157,7 +151,7 @@ int detect(const DetectArguments& arguments, const Methods& methods) {
     detection.ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
     arguments.json ? print_json(detection) : print_text(detection);
-    if (arguments.draw) write_drawing(drawing_path(*arguments.draw, i), drawn(picture, detection.sightings));
+    if (arguments.draw) write_drawing(numbered(*arguments.draw, i), drawn(picture, detection.sightings));
   }
   return 0;
 }

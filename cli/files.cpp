@@ -20,6 +20,12 @@ std::string read_file(const fs::path& path) {
   return text.str();
 }
 
+fs::path numbered(const fs::path& first, std::size_t n) {
+  if (n == 0) return first;
+  return first.parent_path() /
+         fmt::format("{}-{}{}", first.stem().string(), n + 1, first.extension().string());
+}
+
 fs::path temporary_name(const fs::path& path) {
   return path.parent_path() / fmt::format(".{}.tmp.{}", path.filename().string(), getpid());
 }

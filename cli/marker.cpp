@@ -53,13 +53,6 @@ void tell_unequal_rings(const std::vector<Design>& designs) {
   }
 }
 
-/// "marker.png", "marker-2.png", "marker-3.png".
-fs::path file_of_page(const fs::path& first, std::size_t page) {
-  if (page == 0) return first;
-  return first.parent_path() /
-         fmt::format("{}-{}{}", first.stem().string(), page + 1, first.extension().string());
-}
-
 void check_place(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (!fs::is_directory(folder)) throw Error(fmt::format("the folder {} does not exist", folder.string()));
@@ -77,13 +70,13 @@ int marker(const MarkerArguments& arguments) {
   const auto pages =
       lay_out(designs, {.size_m = size_m, .paper = arguments.paper, .captions = !arguments.no_caption});
   const auto files = printed(pages, format, arguments.dpi);
-  for (std::size_t i = 0; i < files.size(); ++i) check_place(file_of_page(arguments.out, i));
-  for (std::size_t i = 0; i < files.size(); ++i) write_file(file_of_page(arguments.out, i), files[i]);
+  for (std::size_t i = 0; i < files.size(); ++i) check_place(numbered(arguments.out, i));
+  for (std::size_t i = 0; i < files.size(); ++i) write_file(numbered(arguments.out, i), files[i]);
   tell_unequal_rings(designs);
   for (std::size_t i = 0; i < pages.size(); ++i) {
     const bool own_file = i < files.size();
     fmt::print("{}{:.5g} x {:.5g} mm, {} marker{}\n",
-               own_file ? file_of_page(arguments.out, i).string() + ": " : "  ", pages[i].width_mm,
+               own_file ? numbered(arguments.out, i).string() + ": " : "  ", pages[i].width_mm,
                pages[i].height_mm, pages[i].markers.size(), pages[i].markers.size() == 1 ? "" : "s");
   }
   return 0;

@@ -46,6 +46,21 @@ void read_targets(const TomlTable& root, const std::string& file, Description& d
 
 }  // namespace
 
+std::string toml_string(std::string_view text) {
+  std::string toml = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      toml += '\\';
+      toml += c;
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      toml += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      toml += c;
+    }
+  }
+  return toml + "\"";
+}
+
 std::string folder_name(const std::filesystem::path& folder) {
   const auto canonical = std::filesystem::weakly_canonical(folder);
   return (canonical.has_filename() ? canonical : canonical.parent_path()).filename().string();

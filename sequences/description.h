@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/time.h"
@@ -41,6 +42,9 @@ struct Description {
 Description read_description(const std::filesystem::path& folder);
 /// Reads FILE for a recording that is called `name` if the file does not say; there need not be such a file.
 Description read_description(const std::filesystem::path& file, const std::string& name);
+
+/// A text as TOML writes it, quoted.
+std::string toml_string(std::string_view text);
 
 /// The folder's own name, however the path to it is written.
 std::string folder_name(const std::filesystem::path& folder);

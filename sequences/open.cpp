@@ -55,22 +55,6 @@ class Fingerprint {
   XXH3_state_t state_ = fresh();
 };
 
-/// A text as a TOML basic string.
-std::string toml_string(std::string_view text) {
-  std::string toml = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      toml += '\\';
-      toml += c;
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      toml += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    } else {
-      toml += c;
-    }
-  }
-  return toml + "\"";
-}
-
 /// The recording.toml of what is known of a recording without its pictures.
 std::string description_text(const Recording& recording) {
   std::string text =

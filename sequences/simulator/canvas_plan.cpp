@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/toml_table.h"
+#include "sequences/description.h"
 
 namespace relock::simulator {
 namespace {
@@ -53,12 +54,12 @@ CanvasFile read_canvas_file(const std::filesystem::path& file) {
 std::string canvas_file_text(const CanvasFile& canvas) {
   const CanvasPlan& plan = canvas.plan;
   return fmt::format(
-      "preset = \"canvas\"\ntarget = \"{}\"\nseed = {}\ncanvas_px = {}\nmarker_px = {}\nlengths_px = "
+      "preset = \"canvas\"\ntarget = {}\nseed = {}\ncanvas_px = {}\nmarker_px = {}\nlengths_px = "
       "[{}]\nangles_deg = [{}]\n"
       "repetitions = {}\nnoise = {}\ngrey = {}\nblur_in = \"{}\"\n",
-      canvas.target, canvas.seed, plan.canvas_px, plan.marker_px, fmt::join(plan.lengths_px, ", "),
-      fmt::join(plan.angles_deg, ", "), plan.repetitions, plan.noise, plan.grey,
-      plan.blur_in == BlurIn::light ? "light" : "coded");
+      toml_string(canvas.target), canvas.seed, plan.canvas_px, plan.marker_px,
+      fmt::join(plan.lengths_px, ", "), fmt::join(plan.angles_deg, ", "), plan.repetitions, plan.noise,
+      plan.grey, plan.blur_in == BlurIn::light ? "light" : "coded");
 }
 
 }  // namespace relock::simulator

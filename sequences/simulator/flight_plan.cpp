@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/toml_table.h"
+#include "sequences/description.h"
 #include "sequences/gaps.h"
 #include "sequences/simulator/range.h"
 
@@ -120,15 +121,6 @@ void read_field(const TomlTable& table, const Field& field, const std::filesyste
   }
 }
 
-std::string toml_text(const std::string& text) {
-  std::string quoted;
-  for (const char c : text) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    quoted += c;
-  }
-  return '"' + quoted + '"';
-}
-
 std::string number_text(double value) {
   const std::string text = fmt::format("{}", value);
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
@@ -138,11 +130,11 @@ std::string value_text(const Field& field) {
   if (const auto* number = std::get_if<double*>(&field.value)) return number_text(**number);
   if (const auto* whole = std::get_if<int*>(&field.value)) return fmt::format("{}", **whole);
   if (const auto* flag = std::get_if<bool*>(&field.value)) return **flag ? "true" : "false";
-  if (const auto* text = std::get_if<std::string*>(&field.value)) return toml_text(**text);
+  if (const auto* text = std::get_if<std::string*>(&field.value)) return toml_string(**text);
   if (const auto* path = std::get_if<OptionalPath*>(&field.value))
-    return **path ? toml_text((**path)->string()) : "";
+    return **path ? toml_string((**path)->string()) : "";
   const Word& word = std::get<Word>(field.value);
-  return toml_text(word.words[static_cast<std::size_t>(word.get())]);
+  return toml_string(word.words[static_cast<std::size_t>(word.get())]);
 }
 
 const std::vector<std::string> kTables{"camera", "timing", "motion",   "exposure",
@@ -209,14 +201,14 @@ FlightPlan read_flight_plan(const std::filesystem::path& file) {
 std::string flight_plan_text(const FlightPlan& plan) {
   FlightPlan copy = plan;
   const auto fields = fields_of(copy);
-  std::string text = fmt::format("preset = {}\nseed = {}\n", toml_text(plan.preset), plan.seed), table;
+  std::string text = fmt::format("preset = {}\nseed = {}\n", toml_string(plan.preset), plan.seed), table;
   for (const Field& field : fields) {
     if (field.table != table) text += fmt::format("\n[{}]\n", table = field.table);
     if (const std::string value = value_text(field); !value.empty())
       text += fmt::format("{} = {}\n", field.key, value);
   }
   for (const PlannedTarget& target : plan.targets)
-    text += fmt::format("\n[[target]]\nname = {}\nsize_m = {}\n", toml_text(target.name),
+    text += fmt::format("\n[[target]]\nname = {}\nsize_m = {}\n", toml_string(target.name),
                         number_text(target.size_m));
   return text;
 }

@@ -20,9 +20,8 @@ struct Sheet {
 
 Sheet sheet_of(const Scene& scene, const HungTarget& target, double t) {
   const Surface& s = scene.surfaces[target.surface];
-  const Vector3d corner = s.shift ? s.corner + s.shift(t) : s.corner;
-  return {corner + 0.5 * (s.right + s.down), s.right.normalized(), s.down.normalized(), target.printed.size_m,
-          target.printed.outline};
+  return {s.corner_at(t) + 0.5 * (s.right + s.down), s.right.normalized(), s.down.normalized(),
+          target.printed.size_m, target.printed.outline};
 }
 
 /// Where a point of the world is seen while the shutter is open at time t of its row.
@@ -146,19 +145,9 @@ std::optional<Vec2> outline_centre(const Sheet& sheet, const View& view, double 
 
 /// Whether a thing that moves before targets hides a point of the world.
 bool hidden(const Scene& scene, const Vector3d& eye, const Vector3d& point, double t) {
-  for (const std::size_t index : scene.occluders) {
-    const Surface& s = scene.surfaces[index];
-    const Vector3d corner = s.shift ? s.corner + s.shift(t) : s.corner;
-    const Vector3d normal = s.right.cross(s.down), ray = point - eye;
-    const double along = normal.dot(ray);
-    if (along <= 1e-12) continue;
-    const double depth = normal.dot(corner - eye) / along;
-    if (depth <= 0 || depth >= 1 - 1e-6) continue;
-    const Vector3d on = eye + depth * ray - corner;
-    const double u = on.dot(s.right) / s.right.squaredNorm(), v = on.dot(s.down) / s.down.squaredNorm();
-    if (u >= 0 && u <= 1 && v >= 0 && v <= 1) return true;
-  }
-  return false;
+  return std::any_of(scene.occluders.begin(), scene.occluders.end(), [&](std::size_t index) {
+    return scene.surfaces[index].hit(eye, point - eye, t).value_or(1) < 1 - 1e-6;
+  });
 }
 
 struct Parts {

@@ -56,9 +56,8 @@ Renderer::Renderer(const Scene& scene, const Camera& camera)
 
 Renderer::Seen Renderer::see(const Surface& surface, std::size_t index, const Pose& pose, double t) const {
   Seen seen;
-  const Eigen::Vector3d moved = surface.shift ? surface.corner + surface.shift(t) : surface.corner;
   const Eigen::Matrix3d to_camera = pose.rotation.conjugate().toRotationMatrix();
-  const Eigen::Vector3d corner = to_camera * (moved - pose.position);
+  const Eigen::Vector3d corner = to_camera * (surface.corner_at(t) - pose.position);
   const Eigen::Vector3d right = to_camera * surface.right, down = to_camera * surface.down;
   const Eigen::Vector3d normal = right.cross(down);
   if (normal.dot(corner) <= 1e-9) return seen;  // seen from behind, or along its plane
@@ -308,17 +307,8 @@ void Renderer::render(const Exposure& exposure, int steps, cv::Mat& light) const
 std::optional<Eigen::Vector3d> Renderer::first_hit(const Pose& pose, double t, Vec2 pixel) const {
   const Eigen::Vector2d place = normalised(camera_, pixel);
   const Eigen::Vector3d ray = pose.rotation * Eigen::Vector3d(place.x(), place.y(), 1);
-  for (std::size_t i = scene_.surfaces.size(); i-- > 0;) {
-    const Surface& s = scene_.surfaces[i];
-    const Eigen::Vector3d corner = s.shift ? s.corner + s.shift(t) : s.corner;
-    const Eigen::Vector3d normal = s.right.cross(s.down);
-    const double along = normal.dot(ray);
-    if (along <= 1e-12) continue;
-    const double depth = normal.dot(corner - pose.position) / along;
-    const Eigen::Vector3d on = pose.position + depth * ray - corner;
-    const double u = on.dot(s.right) / s.right.squaredNorm(), v = on.dot(s.down) / s.down.squaredNorm();
-    if (depth > 0 && u >= 0 && u <= 1 && v >= 0 && v <= 1) return pose.position + depth * ray;
-  }
+  for (std::size_t i = scene_.surfaces.size(); i-- > 0;)
+    if (const auto depth = scene_.surfaces[i].hit(pose.position, ray, t)) return pose.position + *depth * ray;
   return {};
 }
 

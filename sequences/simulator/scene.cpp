@@ -226,6 +226,17 @@ class Builder {
 
 }  // namespace
 
+std::optional<double> Surface::hit(const Vector3d& eye, const Vector3d& ray, double t) const {
+  const Vector3d normal = right.cross(down);
+  const double along = normal.dot(ray);
+  if (along <= 1e-12) return {};
+  const double depth = normal.dot(corner_at(t) - eye) / along;
+  const Vector3d on = eye + depth * ray - corner_at(t);
+  const double u = on.dot(right) / right.squaredNorm(), v = on.dot(down) / down.squaredNorm();
+  if (depth <= 0 || u < 0 || u > 1 || v < 0 || v > 1) return {};
+  return depth;
+}
+
 void check_scene(const ScenePlan& plan) {
   check_range("scene: spacing_m", plan.spacing_m, 0.01, 5);
   check_range("scene: box_side_m", plan.box_side_m, 0.01, 1.5);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -26,6 +26,11 @@ struct Surface {
   double gloss = 0;                                  ///< strength of the lamp's mirror image; 0: matt
   /// Where a thing that moves is at time t (s), as a shift of `corner`, m. Empty: it hangs still.
   std::function<Eigen::Vector3d(double)> shift = {};
+
+  /// Its top left corner at time t.
+  Eigen::Vector3d corner_at(double t) const { return shift ? corner + shift(t) : corner; }
+  /// How far along `ray` from `eye`, in its lengths, the visible side is hit at time t; nothing: it is not.
+  std::optional<double> hit(const Eigen::Vector3d& eye, const Eigen::Vector3d& ray, double t) const;
 };
 
 /// A target in the scene, and where.
