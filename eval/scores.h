@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "eval/evaluation.h"
-#include "eval/localization.h"
+#include "eval/tally.h"
 
 namespace relock {
 
@@ -27,16 +26,21 @@ struct Scores {
   std::size_t frames = 0;                         ///< recorded frames, times targets
   std::size_t uncoded = 0;                        ///< Hits by place of a method that reads codes
   std::size_t failed = 0;                         ///< Misses after a crash or time-out
-  std::size_t spurious = 0;                       ///< sightings of nothing; only in the pooled scores
-  std::size_t ignored = 0;  ///< sightings of what was not judged; only in the pooled scores
+  std::size_t spurious = 0;                       ///< sightings of nothing; only in pooled scores
+  std::size_t ignored = 0;                        ///< sightings of what was not judged; only in pooled scores
 
-  std::optional<double> recognition;  ///< Hits / visible frames not NotStarted, Given or Dropped
-  std::optional<double> precision;    ///< Hits / all sightings that were judged
-  double visible_s = 0;               ///< visible time = locked + lost + searching
+  std::optional<double> recognition;            ///< Hits / visible frames not NotStarted, Given or Dropped
+  std::optional<double> precision;              ///< Hits / all sightings that were judged
+  std::optional<double> f1;                     ///< harmonic mean of the two
+  std::optional<double> wrong_identity_rate;    ///< WrongId / (WrongId + Hit)
+  std::optional<double> false_alarms_per_1000;  ///< frames without any target; only in pooled scores
+  std::optional<double> spurious_per_minute;    ///< of recording; only in pooled scores
+  double visible_s = 0;                         ///< visible time = locked + lost + searching
   double locked_s = 0, lost_s = 0, searching_s = 0;
   std::optional<double> availability;          ///< share of visible time with a Hit at most 0.1 s old
   std::optional<double> availability_ceiling;  ///< of a Hit on every frame that could have one
   std::optional<double> availability_of_ceiling;
+  FixAge fix_age;
   std::optional<double> locked_share;
   std::optional<double> locked_share_ceiling;
   std::optional<double> locked_share_of_ceiling;
@@ -44,9 +48,14 @@ struct Scores {
   std::array<std::size_t, kLossKinds> losses_by_kind{};
   std::optional<double> losses_per_minute;           ///< of locked time
   std::optional<double> mean_time_between_losses_s;  ///< locked time / losses
+  std::optional<double> silent_share;                ///< of lost time: a wrong answer was in force
   Recovery recovery;
   Localization localization;
+  std::array<HitCount, kBlurBinCount> by_blur{};  ///< recognition apart by the length of the true blur
+  std::array<HitCount, kGapBinCount> by_gap{};    ///< recognition apart by the gap before the frame
 };
+
+Scores scores_of(const Tally& tally);
 
 /// Scores with frames and times of all targets pooled, and each target's own beside them.
 struct ScoreSheet {
@@ -54,9 +63,6 @@ struct ScoreSheet {
   std::vector<Scores> targets;
 };
 ScoreSheet score(const Recording& recording, const Trajectory& trajectory, const Evaluation& evaluation);
-
-/// How long a loss was watched: from the early end of its onset to its end, whatever that was.
-Duration loss_time(const Recording& recording, const Loss& loss);
 
 /// Recovery within these times is told, s.
 constexpr std::array<double, 3> kRecoveredWithin_s{0.5, 1, 5};

@@ -31,24 +31,17 @@ std::vector<VisibleInterval> visible_time(const Recording& recording, std::size_
   return intervals;
 }
 
-Duration fresh_time(std::span<const VisibleInterval> visible, std::span<const Time> fixes) {
-  Duration total{0};
-  auto first = visible.begin();
+std::vector<Duration> fresh_times(std::span<const VisibleInterval> visible, std::span<const Time> fixes) {
+  std::vector<Duration> fresh(visible.size(), Duration{0});
+  std::size_t first = 0;
   for (std::size_t i = 0; i < fixes.size(); ++i) {
     const Time until =
         i + 1 < fixes.size() ? std::min(fixes[i] + kFreshFix, fixes[i + 1]) : fixes[i] + kFreshFix;
-    while (first != visible.end() && first->to <= fixes[i]) ++first;
-    for (auto at = first; at != visible.end() && at->from < until; ++at)
-      total += std::min(at->to, until) - std::max(at->from, fixes[i]);
+    while (first < visible.size() && visible[first].to <= fixes[i]) ++first;
+    for (std::size_t at = first; at < visible.size() && visible[at].from < until; ++at)
+      fresh[at] += std::min(visible[at].to, until) - std::max(visible[at].from, fixes[i]);
   }
-  return total;
-}
-
-Duration time_in(State state, std::span<const VisibleInterval> visible, std::span<const State> states) {
-  Duration total{0};
-  for (const VisibleInterval& interval : visible)
-    if (states[interval.frame] == state) total += interval.to - interval.from;
-  return total;
+  return fresh;
 }
 
 bool could_hit(const TargetTruth& truth, Verdict verdict) {

@@ -19,11 +19,8 @@ struct VisibleInterval {
 std::vector<VisibleInterval> visible_time(const Recording& recording, std::size_t target,
                                           std::span<const Judgement> judgements);
 
-/// Visible time at which the newest of the `fixes` (rising capture times) is at most kFreshFix old.
-Duration fresh_time(std::span<const VisibleInterval> visible, std::span<const Time> fixes);
-
-/// Visible time spent in `state`.
-Duration time_in(State state, std::span<const VisibleInterval> visible, std::span<const State> states);
+/// Of each visible interval, how long the newest of the `fixes` (rising capture times) is at most kFreshFix old.
+std::vector<Duration> fresh_times(std::span<const VisibleInterval> visible, std::span<const Time> fixes);
 
 /// Whether a frame enters recognition: visible, and not NotStarted, Given or Dropped. A perfect method Hits
 /// it.
