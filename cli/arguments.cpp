@@ -44,9 +44,19 @@ void add_run(CLI::App& app, RunArguments& a) {
 void add_score(CLI::App& app, ScoreArguments& a) {
   CLI::App& verb =
       *app.add_subcommand("score", "Score runs: recognition, availability, losses, recovery, exactness");
-  verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
-  verb.add_flag("--json", a.json, "print scores as JSON");
+  verb.add_option("results", a.folders, "folders of results, or parts of them")->required();
+  verb.add_option("--by", a.by, "a table for each recording, target, code, blur or gap before the frame");
   add_gate(verb, a.gate, "when an answer is a Hit");
+  CLI::Option_group& format = *verb.add_option_group("format");
+  const auto add_format = [&](const std::string& name, ScoreFormat value, const std::string& what) {
+    format.add_flag_callback(
+        name, [&a, value] { a.format = value; }, what);
+  };
+  add_format("--json", ScoreFormat::json, "print everything as JSON");
+  add_format("--csv", ScoreFormat::csv, "print one row for each score of each method");
+  add_format("--markdown", ScoreFormat::markdown, "print the tables in Markdown");
+  add_format("--latex", ScoreFormat::latex, "print the tables in LaTeX, with booktabs");
+  format.require_option(0, 1);
 }
 
 void add_timeline(CLI::App& app, TimelineArguments& a) {

@@ -25,28 +25,27 @@ std::vector<bool> common_hits(const ScoredComparison& comparison, std::size_t ta
   return common;
 }
 
-Localization localize_common(const ScoredComparison& comparison, std::size_t run, std::size_t target,
-                             const std::vector<bool>& common) {
-  const StoredComparison& stored = comparison.stored;
-  auto all = fixes(stored.recording, stored.runs[run].trajectory, comparison.evaluations[run], target);
+std::vector<Fix> those_in(const std::vector<bool>& common, std::vector<Fix> all) {
   std::erase_if(all, [&](const Fix& fix) { return !common[fix.frame]; });
-  return localize(all, 0);
+  return all;
 }
 
 }  // namespace
 
 ScoredComparison scored(StoredComparison stored, const Gate& gate) {
-  ScoredComparison result{std::move(stored), gate, {}, {}, {}};
+  ScoredComparison result{std::move(stored), gate, {}, {}, {}, {}};
   const Recording& recording = result.stored.recording;
   for (const StoredRun& run : result.stored.runs) {
     result.evaluations.push_back(evaluate(recording, run.trajectory, gate));
-    result.sheets.push_back(score(recording, run.trajectory, result.evaluations.back()));
+    const Evaluation& evaluation = result.evaluations.back();
+    result.tallies.push_back(tally_targets(recording, run.trajectory, evaluation));
+    result.sheets.push_back(score(recording, evaluation, result.tallies.back()));
   }
-  result.common.assign(result.stored.runs.size(), std::vector<Localization>(recording.targets.size()));
+  result.common.assign(result.stored.runs.size(), std::vector<std::vector<Fix>>(recording.targets.size()));
   for (std::size_t t = 0; t < recording.targets.size(); ++t) {
     const auto common = common_hits(result, t);
     for (std::size_t run = 0; run < result.stored.runs.size(); ++run)
-      result.common[run][t] = localize_common(result, run, t, common);
+      result.common[run][t] = those_in(common, result.tallies[run][t].tally.fixes);
   }
   return result;
 }
@@ -60,13 +59,12 @@ Gate gate_of(const StoredComparison& comparison, const std::optional<std::string
   return gate;
 }
 
-void print_end_of_recording(const StoredComparison& comparison) {
-  for (const StoredRun& run : comparison.runs) {
-    if (!run.record.cut_short) continue;
-    fmt::print("  the recording could not be read beyond frame {}: {}\n", run.record.cut_short->frame,
-               run.record.cut_short->what);
-    return;
-  }
+std::optional<std::string> end_of_recording(const StoredComparison& comparison) {
+  for (const StoredRun& run : comparison.runs)
+    if (run.record.cut_short)
+      return fmt::format("{} could not be read beyond frame {}: {}", comparison.recording.name,
+                         run.record.cut_short->frame, run.record.cut_short->what);
+  return {};
 }
 
 std::string heading(const StoredComparison& comparison, const Gate& gate) {

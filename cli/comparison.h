@@ -12,11 +12,11 @@ namespace relock {
 struct ScoredComparison {
   StoredComparison stored;
   Gate gate;
-  std::vector<Evaluation> evaluations;  ///< of each run
-  std::vector<ScoreSheet> sheets;       ///< of each run
-  /// For each run and target, localization over the Hits common to all methods asked about the target,
-  /// yardsticks apart.
-  std::vector<std::vector<Localization>> common;
+  std::vector<Evaluation> evaluations;            ///< of each run
+  std::vector<std::vector<TargetTally>> tallies;  ///< of each run and target
+  std::vector<ScoreSheet> sheets;                 ///< of each run
+  /// For each run and target, the Hits common to all methods asked about the target, yardsticks apart.
+  std::vector<std::vector<std::vector<Fix>>> common;
 };
 
 ScoredComparison scored(StoredComparison stored, const Gate& gate);
@@ -25,8 +25,8 @@ ScoredComparison scored(StoredComparison stored, const Gate& gate);
 /// Throws Error when resets were judged by another one than `asked`.
 Gate gate_of(const StoredComparison& comparison, const std::optional<std::string>& asked);
 
-/// Says where and why the recording could not be read on, if that is so.
-void print_end_of_recording(const StoredComparison& comparison);
+/// Where and why the recording could not be read on, if that is so.
+std::optional<std::string> end_of_recording(const StoredComparison& comparison);
 
 /// "klahaag, as recorded, protocol once, gate centre 0.25 D, hold 0.5 D".
 std::string heading(const StoredComparison& comparison, const Gate& gate);

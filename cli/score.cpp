@@ -1,105 +1,22 @@
-// `relock score`: scores every run below a folder, writes the scores beside it and prints the tables.
+// `relock score`: scores every run below the given folders, writes the scores beside it and prints the tables.
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 #include "cli/comparison.h"
 #include "cli/files.h"
-#include "cli/score_json.h"
-#include "cli/table.h"
+#include "cli/scores/files.h"
+#include "cli/scores/tables.h"
 #include "cli/verbs.h"
 #include "eval/events_csv.h"
 
 namespace relock {
 namespace {
 
-constexpr std::string_view kFootnote = R"(
-  recover s: Kaplan-Meier median, > where no more than half recovered while watched. e px, p95, % D: position error over Hits,
-  < where it is below the accuracy of the labels (two standard deviations). common e: over Hits common to all methods.
-)";
-
-std::string cell(const std::optional<double>& value, int decimals) {
-  return value ? fmt::format("{:.{}f}", *value, decimals) : "n/a";
-}
-
-/// Localization finer than two standard deviations of the labels says nothing of the method.
-std::string fix_cell(const Localization& l, const std::optional<double>& px) {
-  if (px && l.label_sigma_px && *px < 2 * *l.label_sigma_px)
-    return fmt::format("<{:.2f}", 2 * *l.label_sigma_px);
-  return cell(px, 2);
-}
-
-std::string recovery_cell(const Recovery& r) {
-  if (r.losses == 0) return "-";
-  if (r.median_s) return fmt::format("{:.2f}", *r.median_s);
-  return fmt::format(">{:.2f}", r.follow_up_s);
-}
-
-std::vector<std::string> row(const std::string& name, const Scores& s, const Localization& common) {
-  return {name,
-          cell(s.recognition, 3),
-          cell(s.precision, 3),
-          cell(s.availability, 3),
-          cell(s.availability_of_ceiling, 3),
-          cell(s.locked_share, 3),
-          cell(s.locked_share_of_ceiling, 3),
-          std::to_string(s.losses),
-          cell(s.losses_per_minute, 1),
-          recovery_cell(s.recovery),
-          fix_cell(s.localization, s.localization.median_px),
-          fix_cell(s.localization, s.localization.p95_px),
-          cell(s.localization.median_percent, 1),
-          fix_cell(common, common.median_px)};
-}
-
-Table table() {
-  return Table({"method", "recognition", "precision", "available", "/ceiling", "locked", "/ceiling", "losses",
-                "/min", "recover s", "e px", "p95", "% D", "common e"});
-}
-
-void print_target(const ScoredComparison& compared, std::size_t t) {
-  const StoredComparison& stored = compared.stored;
-  Table lines = table();
-  std::size_t rows = 0;
-  for (std::size_t i = 0; i < stored.runs.size(); ++i) {
-    if (!stored.runs[i].trajectory.judged_from[t]) continue;
-    lines.add(row(stored.runs[i].record.method, compared.sheets[i].targets[t], compared.common[i][t]));
-    ++rows;
-  }
-  if (rows == 0) return;
-  fmt::print("\n  target {}\n{}", stored.recording.targets[t].id, lines.text(2));
-}
-
-/// Frames and times of all targets together, of the methods that were asked about every target.
-void print_pooled(const ScoredComparison& compared) {
-  const StoredComparison& stored = compared.stored;
-  Table lines = table();
-  for (std::size_t i = 0; i < stored.runs.size(); ++i) {
-    const auto& judged = stored.runs[i].trajectory.judged_from;
-    if (std::all_of(judged.begin(), judged.end(), [](const auto& from) { return from.has_value(); }))
-      lines.add(row(stored.runs[i].record.method, compared.sheets[i].pooled, {}));
-  }
-  fmt::print("\n  all targets pooled\n{}", lines.text(2));
-}
-
-void print_remarks(const ScoredComparison& compared) {
-  print_end_of_recording(compared.stored);
-  for (std::size_t i = 0; i < compared.stored.runs.size(); ++i) {
-    const RunRecord& record = compared.stored.runs[i].record;
-    const Scores& s = compared.sheets[i].pooled;
-    if (!record.failures.empty())
-      fmt::print("  {} failed on frame {}: {}; {} visible frames after it count as Misses\n", record.method,
-                 record.failures[0].frame, record.failures[0].what, s.failed);
-    if (s.spurious > 0) fmt::print("  {}: {} spurious sightings\n", record.method, s.spurious);
-    if (s.uncoded > 0) fmt::print("  {}: {} Hits without a code\n", record.method, s.uncoded);
-    if (!record.deterministic)
-      fmt::print("  {} answers differently from run to run: its scores are of one run\n", record.method);
-  }
-}
-
-void store_scores(const ScoredComparison& compared, std::size_t i, const std::string& json) {
+void store_scores(const ScoredComparison& compared, std::size_t i) {
   const StoredRun& run = compared.stored.runs[i];
   const Recording& recording = compared.stored.recording;
   std::ostringstream events, verdicts;
@@ -107,37 +24,198 @@ void store_scores(const ScoredComparison& compared, std::size_t i, const std::st
   write_verdicts(verdicts, recording, compared.evaluations[i]);
   write_file(run.folder / "events.csv", events.str());
   write_file(run.folder / "verdicts.csv", verdicts.str());
-  write_file(run.folder / "scores.json", json);
+  write_file(run.folder / "scores.json", scores_json(run, recording, compared.gate, compared.sheets[i]));
+}
+
+/// What tables are made of, and what could not be read.
+struct Read {
+  std::vector<ScorePool> pools;
+  std::vector<std::string> ends;  ///< of recordings that could not be read on
+  std::vector<std::string> unreadable;
+};
+
+std::vector<FoundComparison> found_below(const std::vector<std::filesystem::path>& folders) {
+  std::vector<FoundComparison> all;
+  for (const auto& folder : folders) std::ranges::move(find_results(folder), std::back_inserter(all));
+  return all;
+}
+
+/// Recordings are folders of comparisons.
+std::size_t recordings_in(const std::vector<FoundComparison>& found) {
+  std::set<std::string> names;
+  for (const FoundComparison& comparison : found)
+    names.insert(comparison.folder.parent_path().filename().string());
+  return names.size();
+}
+
+/// One comparison at a time: what is kept of it is its sums.
+void read_one(const FoundComparison& found, const std::optional<std::string>& gate, Read& read) {
+  const auto note = [&](const std::string& why) { read.unreadable.push_back(why); };
+  auto stored = read_comparison(found, note);
+  if (!stored) return;
+  try {
+    const Gate used = gate_of(*stored, gate);
+    const ScoredComparison compared = scored(*std::move(stored), used);
+    for (std::size_t i = 0; i < compared.stored.runs.size(); ++i) store_scores(compared, i);
+    for (ScorePool& pool : read.pools) pool.add(compared);
+    if (const auto end = end_of_recording(compared.stored)) read.ends.push_back(*end);
+  } catch (const Error& fault) {
+    note(fault.what());
+  }
+}
+
+std::vector<JudgedTable> judged_tables(std::vector<ScorePool> pools) {
+  std::vector<JudgedTable> all;
+  for (ScorePool& pool : pools)
+    for (ScoreTable& table : std::move(pool).tables()) {
+      auto methods = judged(table);
+      all.push_back({std::move(table), std::move(methods)});
+    }
+  std::stable_sort(all.begin(), all.end(), [](const JudgedTable& a, const JudgedTable& b) {
+    return a.table.conditions < b.table.conditions;
+  });
+  return all;
+}
+
+/// With one recording its targets matter; with several, all of them together.
+void keep_targets_of_single_recordings(std::vector<JudgedTable>& tables) {
+  std::set<TableConditions> several;
+  for (const JudgedTable& judged : tables)
+    if (judged.table.grouping == Grouping::none && judged.table.recordings.size() > 1)
+      several.insert(judged.table.conditions);
+  std::erase_if(tables, [&](const JudgedTable& judged) {
+    return judged.table.grouping == Grouping::target && several.contains(judged.table.conditions);
+  });
+}
+
+// --- What a person reads.
+
+/// What qualifies the scores of one method.
+void print_remarks(const ScoreTable& table, std::size_t i, const Scores& s) {
+  const MethodPool& method = table.methods[i];
+  std::size_t most = 0;
+  for (const MethodPool& other : table.methods) most = std::max(most, other.scored_on.size());
+  if (!method.failures.empty())
+    fmt::print("  {} failed on frame {}: {}; {} visible frames after it count as Misses\n", method.method,
+               method.failures[0].frame, method.failures[0].what, s.failed);
+  if (s.spurious > 0) fmt::print("  {}: {} spurious sightings\n", method.method, s.spurious);
+  if (s.uncoded > 0) fmt::print("  {}: {} Hits without a code\n", method.method, s.uncoded);
+  if (!method.deterministic)
+    fmt::print("  {} answers differently from run to run: its scores are of {}\n", method.method,
+               method.runs == 1 ? "one run" : fmt::format("{} runs", method.runs));
+  if (method.scored_on.size() < most)
+    fmt::print("  {} is scored on {} of {} targets: compare it with others in --by target or recording\n",
+               method.method, method.scored_on.size(), most);
+}
+
+class Printer {
+ public:
+  explicit Printer(TableFormat format) : format_(format) {}
+
+  /// Those of the same conditions, from `begin` on; returns their end.
+  std::size_t print(const std::vector<JudgedTable>& all, std::size_t begin) {
+    std::size_t end = begin;
+    while (end < all.size() && all[end].table.conditions == all[begin].table.conditions) ++end;
+    const auto pooled = std::find_if(all.begin() + offset(begin), all.begin() + offset(end),
+                                     [](const auto& t) { return t.table.grouping == Grouping::none; });
+    title(pooled->table);
+    print_groups(all, begin, end);
+    if (end - begin == 1 || pooled->table.targets() > 1) print_one(*pooled, "all targets pooled");
+    if (format_ == TableFormat::text)
+      for (std::size_t i = 0; i < pooled->methods.size(); ++i)
+        print_remarks(pooled->table, i, pooled->methods[i].scores);
+    return end;
+  }
+
+ private:
+  static std::ptrdiff_t offset(std::size_t i) { return static_cast<std::ptrdiff_t>(i); }
+
+  void title(const ScoreTable& table) {
+    const std::string text = heading(table);
+    fmt::print("{}{}{}\n", first_ ? "" : "\n",
+               format_ == TableFormat::markdown ? "## "
+               : format_ == TableFormat::latex  ? "% "
+                                                : "",
+               text);
+    first_ = false;
+  }
+
+  void print_groups(const std::vector<JudgedTable>& all, std::size_t begin, std::size_t end) {
+    std::vector<const JudgedTable*> bins;
+    for (std::size_t i = begin; i < end; ++i) {
+      const ScoreTable& table = all[i].table;
+      if (table.grouping == Grouping::none) continue;
+      if (table.grouping == Grouping::blur || table.grouping == Grouping::gap)
+        bins.push_back(&all[i]);
+      else
+        print_one(all[i], fmt::format("{} {}", to_string(table.grouping), table.group));
+    }
+    if (bins.empty()) return;
+    subtitle(bins.front()->table.grouping == Grouping::blur ? "recognition by length of the true blur"
+                                                            : "recognition by the gap before the frame");
+    fmt::print("{}", bins_table(bins).in(format_));
+  }
+
+  void print_one(const JudgedTable& judged, const std::string& what) {
+    subtitle(what);
+    fmt::print("{}\n{}", keeping_table(judged).in(format_), exactness_table(judged).in(format_));
+  }
+
+  void subtitle(const std::string& text) {
+    fmt::print("\n{}{}\n",
+               format_ == TableFormat::markdown ? "### "
+               : format_ == TableFormat::latex  ? "% "
+                                                : "  ",
+               text);
+    if (format_ == TableFormat::markdown) fmt::print("\n");
+  }
+
+  TableFormat format_;
+  bool first_ = true;
+};
+
+void print_tables(const std::vector<JudgedTable>& tables, TableFormat format, const Read& read) {
+  Printer printer(format);
+  for (std::size_t i = 0; i < tables.size();) i = printer.print(tables, i);
+  if (format != TableFormat::text) return;
+  for (const std::string& end : read.ends) fmt::print("  {}\n", end);
+  fmt::print("{}", table_footnote());
 }
 
 }  // namespace
 
 int score(const ScoreArguments& arguments) {
-  std::vector<std::string> objects;
-  bool first = true;
-  auto all = read_results(arguments.folder);
-  for (StoredComparison& stored : all) {
-    const Gate gate = gate_of(stored, arguments.gate);
-    const ScoredComparison compared = scored(std::move(stored), gate);
-    for (std::size_t i = 0; i < compared.stored.runs.size(); ++i) {
-      objects.push_back(
-          scores_json(compared.stored.runs[i], compared.stored.recording, gate, compared.sheets[i]));
-      store_scores(compared, i, objects.back());
-    }
-    if (arguments.json) continue;
-    fmt::print("{}{}\n", first ? "" : "\n", heading(compared.stored, gate));
-    first = false;
-    const std::size_t targets = compared.stored.recording.targets.size();
-    for (std::size_t t = 0; t < targets; ++t) print_target(compared, t);
-    if (targets > 1) print_pooled(compared);
-    print_remarks(compared);
+  const auto found = found_below(arguments.folders);
+  const std::size_t recordings = recordings_in(found);
+  Read read;
+  if (arguments.by)
+    read.pools.emplace_back(parse_grouping(*arguments.by), recordings);
+  else if (recordings < kRecordingsToResample)
+    read.pools.emplace_back(Grouping::target, recordings);
+  read.pools.emplace_back(Grouping::none, recordings);
+  for (const FoundComparison& comparison : found) read_one(comparison, arguments.gate, read);
+  auto tables = judged_tables(std::move(read.pools));
+  if (!arguments.by) keep_targets_of_single_recordings(tables);
+  switch (arguments.format) {
+    case ScoreFormat::json:
+      fmt::print("{}", tables_json(tables));
+      break;
+    case ScoreFormat::csv:
+      fmt::print("{}", tables_csv(tables));
+      break;
+    case ScoreFormat::markdown:
+      print_tables(tables, TableFormat::markdown, read);
+      break;
+    case ScoreFormat::latex:
+      print_tables(tables, TableFormat::latex, read);
+      break;
+    case ScoreFormat::text:
+      print_tables(tables, TableFormat::text, read);
+      break;
   }
-  if (arguments.json) {
-    fmt::print("{}", json_array(objects));
-  } else {
-    fmt::print("{}", kFootnote);
-  }
-  return 0;
+  std::fflush(stdout);
+  for (const std::string& why : read.unreadable) fmt::print(stderr, "relock: {} (left out)\n", why);
+  return read.unreadable.empty() ? 0 : 2;
 }
 
 }  // namespace relock

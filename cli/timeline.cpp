@@ -91,7 +91,7 @@ int timeline(const TimelineArguments& arguments) {
     first = false;
     for (std::size_t t = 0; t < targets.size(); ++t)
       if (shown(targets[t])) print_target(compared, t, style, out.width);
-    print_end_of_recording(compared.stored);
+    if (const auto end = end_of_recording(compared.stored)) fmt::print("  {}\n", *end);
   }
   fmt::print("\n  {}\n", legend(style));
   return 0;

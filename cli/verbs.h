@@ -35,10 +35,12 @@ struct RunArguments {
 };
 int run(const RunArguments& arguments, const Methods& methods);
 
+enum class ScoreFormat : std::uint8_t { text, json, csv, markdown, latex };
 struct ScoreArguments {
-  std::filesystem::path folder;
+  std::vector<std::filesystem::path> folders;
   std::optional<std::string> gate;  ///< else the one by which resets were judged, else centre
-  bool json = false;
+  std::optional<std::string> by;    ///< a table for each recording, target, code, bin of blur or of gap
+  ScoreFormat format = ScoreFormat::text;
 };
 int score(const ScoreArguments& arguments);
 

@@ -106,12 +106,16 @@ Scores scores_of(const Tally& tally) {
 }
 
 ScoreSheet score(const Recording& recording, const Trajectory& trajectory, const Evaluation& evaluation) {
+  return score(recording, evaluation, tally_targets(recording, trajectory, evaluation));
+}
+
+ScoreSheet score(const Recording& recording, const Evaluation& evaluation,
+                 std::span<const TargetTally> targets) {
   ScoreSheet sheet;
   Tally all;
-  for (std::size_t t = 0; t < recording.targets.size(); ++t) {
-    const Tally one = tally(recording, trajectory, evaluation, t);
-    sheet.targets.push_back(scores_of(one));
-    all += one;
+  for (const TargetTally& one : targets) {
+    sheet.targets.push_back(scores_of(one.tally));
+    all += one.tally;
   }
   check_conservation(recording, all);
   all += tally_of_frames(recording, evaluation);

@@ -63,6 +63,9 @@ struct ScoreSheet {
   std::vector<Scores> targets;
 };
 ScoreSheet score(const Recording& recording, const Trajectory& trajectory, const Evaluation& evaluation);
+/// From each target's tally.
+ScoreSheet score(const Recording& recording, const Evaluation& evaluation,
+                 std::span<const TargetTally> targets);
 
 /// Recovery within these times is told, s.
 constexpr std::array<double, 3> kRecoveredWithin_s{0.5, 1, 5};

@@ -27,20 +27,12 @@ void count_verdicts(const TargetTimeline& timeline, Tally& tally) {
   }
 }
 
-void count_bins(const Recording& recording, std::size_t target, std::span<const Judgement> judgements,
-                Tally& tally) {
-  std::size_t last = 0;  // the last frame that was not Dropped
-  for (std::size_t frame = 0; frame < judgements.size(); ++frame) {
-    const Verdict verdict = judgements[frame].verdict;
-    if (could_hit(recording.truth_of(frame, target), verdict)) {
-      const auto gap = slots(recording.captured[frame] - recording.captured[last], recording.period);
-      for (HitCount* bin :
-           {&tally.by_blur[blur_bin(recording.truth_of(frame, target).blur)], &tally.by_gap[gap_bin(gap)]}) {
-        ++bin->could_hit;
-        bin->hits += verdict == Verdict::Hit ? 1 : 0;
-      }
-    }
-    if (verdict != Verdict::Dropped) last = frame;
+template <std::size_t n>
+void count_bins(const std::vector<Contribution>& frames, const std::vector<std::size_t>& bins,
+                std::array<HitCount, n>& counts) {
+  for (std::size_t frame = 0; frame < frames.size(); ++frame) {
+    counts[bins[frame]].could_hit += static_cast<std::size_t>(frames[frame].could_hit);
+    counts[bins[frame]].hits += static_cast<std::size_t>(frames[frame].hits);
   }
 }
 
@@ -100,6 +92,23 @@ void add(std::array<HitCount, n>& all, const std::array<HitCount, n>& more) {
 
 }  // namespace
 
+std::vector<std::size_t> blur_bins(const Recording& recording, std::size_t target) {
+  std::vector<std::size_t> bins;
+  for (std::size_t frame = 0; frame < recording.frames(); ++frame)
+    bins.push_back(blur_bin(recording.truth_of(frame, target).blur));
+  return bins;
+}
+
+std::vector<std::size_t> gap_bins(const Recording& recording, std::span<const Judgement> judgements) {
+  std::vector<std::size_t> bins;
+  std::size_t last = 0;  // the last frame that was not Dropped
+  for (std::size_t frame = 0; frame < recording.frames(); ++frame) {
+    bins.push_back(gap_bin(slots(recording.captured[frame] - recording.captured[last], recording.period)));
+    if (judgements[frame].verdict != Verdict::Dropped) last = frame;
+  }
+  return bins;
+}
+
 std::string_view blur_bin_name(std::size_t bin) {
   constexpr std::array<std::string_view, kBlurBinCount> names{
       "to 5 px", "5-10 px", "10-20 px", "20-40 px", "40-80 px", "over 80 px", "unknown"};
@@ -134,18 +143,28 @@ Tally& Tally::operator+=(const Tally& other) {
   return *this;
 }
 
-Tally tally(const Recording& recording, const Trajectory& trajectory, const Evaluation& evaluation,
-            std::size_t target) {
-  Tally result;
+TargetTally tally(const Recording& recording, const Trajectory& trajectory, const Evaluation& evaluation,
+                  std::size_t target) {
+  TargetTally result{contributions(recording, evaluation, target), {}};
+  Tally& all = result.tally;
   const TargetTimeline& timeline = evaluation.targets[target];
   const auto visible = visible_time(recording, target, timeline.judgements);
-  count_verdicts(timeline, result);
-  count_bins(recording, target, timeline.judgements, result);
-  for (const Contribution& frame : contributions(recording, evaluation, target)) result.sum += frame;
-  add_losses(recording, timeline, visible, result);
-  result.fixes = fixes(recording, trajectory, evaluation, target);
-  result.ages = fix_ages(visible, hit_times(recording, timeline.judgements));
+  count_verdicts(timeline, all);
+  count_bins(result.frames, blur_bins(recording, target), all.by_blur);
+  count_bins(result.frames, gap_bins(recording, timeline.judgements), all.by_gap);
+  for (const Contribution& frame : result.frames) all.sum += frame;
+  add_losses(recording, timeline, visible, all);
+  all.fixes = fixes(recording, trajectory, evaluation, target);
+  all.ages = fix_ages(visible, hit_times(recording, timeline.judgements));
   return result;
+}
+
+std::vector<TargetTally> tally_targets(const Recording& recording, const Trajectory& trajectory,
+                                       const Evaluation& evaluation) {
+  std::vector<TargetTally> all;
+  for (std::size_t t = 0; t < recording.targets.size(); ++t)
+    all.push_back(tally(recording, trajectory, evaluation, t));
+  return all;
 }
 
 Tally tally_of_frames(const Recording& recording, const Evaluation& evaluation) {

@@ -22,6 +22,9 @@ constexpr std::array<double, 5> kBlurBins_px{5, 10, 20, 40, 80};
 /// Bins of slots since the last frame that was not Dropped: up to each of these, then above.
 constexpr std::array<int, 4> kGapBins{1, 2, 4, 8};
 constexpr std::size_t kBlurBinCount = kBlurBins_px.size() + 2, kGapBinCount = kGapBins.size() + 1;
+/// Of each recorded frame.
+std::vector<std::size_t> blur_bins(const Recording& recording, std::size_t target);
+std::vector<std::size_t> gap_bins(const Recording& recording, std::span<const Judgement> judgements);
 std::string_view blur_bin_name(std::size_t bin);
 std::string_view gap_bin_name(std::size_t bin);
 
@@ -56,9 +59,16 @@ struct Tally {
   Tally& operator+=(const Tally& other);
 };
 
-/// Of one target.
-Tally tally(const Recording& recording, const Trajectory& trajectory, const Evaluation& evaluation,
-            std::size_t target);
+/// Of one target: its tally, and what that adds up of each recorded frame.
+struct TargetTally {
+  std::vector<Contribution> frames;
+  Tally tally;
+};
+TargetTally tally(const Recording& recording, const Trajectory& trajectory, const Evaluation& evaluation,
+                  std::size_t target);
+/// Of each target.
+std::vector<TargetTally> tally_targets(const Recording& recording, const Trajectory& trajectory,
+                                       const Evaluation& evaluation);
 
 /// What belongs to all targets together: to be added to the sum of their tallies.
 Tally tally_of_frames(const Recording& recording, const Evaluation& evaluation);

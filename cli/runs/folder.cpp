@@ -140,24 +140,21 @@ std::vector<fs::path> runs_in(const fs::path& comparison) {
   return runs;
 }
 
-StoredComparison read_comparison(const fs::path& folder, std::vector<fs::path> run_folders) {
-  const fs::path truth = truth_folder(folder);
-  if (!fs::exists(truth))
-    throw Error(
-        fmt::format("{} is missing: runs cannot be scored without the truth beside them", truth.string()));
-  StoredComparison comparison{folder, read_truth(truth), {}};
-  std::sort(run_folders.begin(), run_folders.end());
-  for (const fs::path& run : run_folders) comparison.runs.push_back(read_run(run, comparison.recording));
-  for (const StoredRun& run : comparison.runs)
-    check_conditions(folder, comparison.runs.front().record, run.record);
-  std::stable_partition(comparison.runs.begin(), comparison.runs.end(),
-                        [](const StoredRun& run) { return !run.record.yardstick; });
-  // Runs that were cut short end where the recording could not be read on: all of them are scored to there.
+/// Throws Error when a run was made from other pictures, times or labels than the truth beside it.
+void check_recording(const StoredRun& run, const fs::path& truth) {
+  const fs::path file = truth / "fingerprint";
+  if (!fs::exists(file) || read_file(file) == run.record.fingerprint + "\n") return;
+  throw Error(
+      fmt::format("{} was made from other pictures, times or labels than the truth in {}; run it again",
+                  (run.folder / "run.json").string(), truth.string()));
+}
+
+/// Runs that were cut short end where the recording could not be read on: all of them are scored to there.
+void end_together(StoredComparison& comparison) {
   std::size_t frames = comparison.recording.frames();
   for (const StoredRun& run : comparison.runs) frames = std::min(frames, run.trajectory.frames.size());
   comparison.recording = up_to(comparison.recording, frames);
   for (StoredRun& run : comparison.runs) run.trajectory.frames.resize(frames);
-  return comparison;
 }
 
 }  // namespace
@@ -248,7 +245,7 @@ void store_run(const fs::path& folder, const FinishedRun& run) {
   put_in_place(draft, folder);
 }
 
-std::vector<StoredComparison> read_results(const fs::path& folder) {
+std::vector<FoundComparison> find_results(const fs::path& folder) {
   if (!fs::is_directory(folder)) throw Error(fmt::format("{} is no folder of results", folder.string()));
   std::map<fs::path, std::vector<fs::path>> runs_of;  // by comparison
   for (const auto& entry : fs::recursive_directory_iterator(fs::canonical(folder))) {
@@ -257,8 +254,49 @@ std::vector<StoredComparison> read_results(const fs::path& folder) {
   }
   if (runs_of.empty())
     throw Error(fmt::format("there are no runs below {}; make some with `relock run`", folder.string()));
+  std::vector<FoundComparison> all;
+  for (auto& [comparison, runs] : runs_of) {
+    std::sort(runs.begin(), runs.end());
+    all.push_back({comparison, std::move(runs)});
+  }
+  return all;
+}
+
+std::optional<StoredComparison> read_comparison(const FoundComparison& found,
+                                                const OnUnreadable& on_unreadable) {
+  const fs::path truth = truth_folder(found.folder);
+  StoredComparison comparison{found.folder, {}, {}};
+  try {
+    if (!fs::exists(truth))
+      throw Error(
+          fmt::format("{} is missing: runs cannot be scored without the truth beside them", truth.string()));
+    comparison.recording = read_truth(truth);
+  } catch (const Error& fault) {
+    on_unreadable(fault.what());
+    return {};
+  }
+  for (const fs::path& folder : found.runs) {
+    try {
+      StoredRun run = read_run(folder, comparison.recording);
+      check_recording(run, truth);
+      if (!comparison.runs.empty())
+        check_conditions(found.folder, comparison.runs.front().record, run.record);
+      comparison.runs.push_back(std::move(run));
+    } catch (const Error& fault) {
+      on_unreadable(fault.what());
+    }
+  }
+  if (comparison.runs.empty()) return {};
+  std::stable_partition(comparison.runs.begin(), comparison.runs.end(),
+                        [](const StoredRun& run) { return !run.record.yardstick; });
+  end_together(comparison);
+  return comparison;
+}
+
+std::vector<StoredComparison> read_results(const fs::path& folder) {
   std::vector<StoredComparison> all;
-  for (auto& [comparison, runs] : runs_of) all.push_back(read_comparison(comparison, std::move(runs)));
+  for (const FoundComparison& found : find_results(folder))
+    all.push_back(*read_comparison(found, [](const std::string& why) { throw Error(why); }));
   return all;
 }
 

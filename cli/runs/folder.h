@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,8 +74,21 @@ struct FinishedRun {
 /// Writes a run, in the place of an older one: whole or not at all.
 void store_run(const std::filesystem::path& folder, const FinishedRun& run);
 
-/// Finds and reads all runs below `folder`: a results folder or a part of one. Throws Error when there is
-/// none.
+/// The runs of a comparison, found and not read yet.
+struct FoundComparison {
+  std::filesystem::path folder;
+  std::vector<std::filesystem::path> runs;  ///< their folders, by name
+};
+/// Finds all runs below `folder`: a results folder or a part of one. Throws Error when there is none.
+std::vector<FoundComparison> find_results(const std::filesystem::path& folder);
+
+/// Is told, in a sentence with file and line, of a run that is left out because it cannot be read.
+using OnUnreadable = std::function<void(const std::string& why)>;
+/// Reads runs and the truth beside them. Nothing when there is no truth, or no run of it can be read.
+std::optional<StoredComparison> read_comparison(const FoundComparison& found,
+                                                const OnUnreadable& on_unreadable);
+
+/// Finds and reads all runs below `folder`. Throws Error when there is none, or one cannot be read.
 std::vector<StoredComparison> read_results(const std::filesystem::path& folder);
 
 }  // namespace relock

@@ -1,15 +1,32 @@
-#include "cli/score_json.h"
-
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "cli/scores/files.h"
 
 namespace relock {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+/// null for n/a; JSON knows no infinity, so that is a word.
+Json number(const std::optional<double>& value) {
+  if (!value) return {};
+  return std::isinf(*value) ? Json("infinite") : Json(*value);
+}
+
+Json to_json(const std::optional<Interval>& interval) {
+  return interval ? Json{number(interval->low), number(interval->high)} : Json();
+}
+
+template <std::size_t n>
+Json bins(const std::array<HitCount, n>& counts, std::string_view (*name)(std::size_t)) {
+  Json all;
+  for (std::size_t bin = 0; bin < n; ++bin)
+    all[std::string(name(bin))] = {{"could_hit", counts[bin].could_hit}, {"hits", counts[bin].hits}};
+  return all;
+}
 
 Json to_json(const Recovery& r) {
   Json within;
@@ -54,6 +71,10 @@ Json to_json(const Scores& s) {
           {"ignored", s.ignored},
           {"recognition", number(s.recognition)},
           {"precision", number(s.precision)},
+          {"f1", number(s.f1)},
+          {"wrong_identity_rate", number(s.wrong_identity_rate)},
+          {"false_alarms_per_1000", number(s.false_alarms_per_1000)},
+          {"spurious_per_minute", number(s.spurious_per_minute)},
           {"visible_s", s.visible_s},
           {"locked_s", s.locked_s},
           {"lost_s", s.lost_s},
@@ -61,6 +82,10 @@ Json to_json(const Scores& s) {
           {"availability", number(s.availability)},
           {"availability_ceiling", number(s.availability_ceiling)},
           {"availability_of_ceiling", number(s.availability_of_ceiling)},
+          {"fix_age",
+           {{"median_s", number(s.fix_age.median_s)},
+            {"p95_s", number(s.fix_age.p95_s)},
+            {"max_s", number(s.fix_age.max_s)}}},
           {"locked_share", number(s.locked_share)},
           {"locked_share_ceiling", number(s.locked_share_ceiling)},
           {"locked_share_of_ceiling", number(s.locked_share_of_ceiling)},
@@ -68,9 +93,48 @@ Json to_json(const Scores& s) {
           {"losses_by_kind", kinds},
           {"losses_per_minute", number(s.losses_per_minute)},
           {"mean_time_between_losses_s", number(s.mean_time_between_losses_s)},
+          {"silent_share", number(s.silent_share)},
           {"time_to_recover", to_json(s.recovery)},
-          {"localization", to_json(s.localization)}};
+          {"localization", to_json(s.localization)},
+          {"by_blur", bins(s.by_blur, blur_bin_name)},
+          {"by_gap", bins(s.by_gap, gap_bin_name)}};
 }
+
+Json to_json(const MethodPool& pool, const JudgedMethod& method) {
+  Json intervals, standings;
+  for (std::size_t i = 0; i < kShareScores; ++i) {
+    const std::string name(share_scores()[i].name);
+    intervals[name] = to_json(method.shares[i]);
+    standings[name] = to_string(method.standings[i]);
+  }
+  intervals["losses_per_minute"] = to_json(method.losses_per_minute);
+  intervals["time_to_recover_median_s"] = to_json(method.recovery_median_s);
+  intervals["median_px"] = to_json(method.median_px);
+  return {{"method", pool.method},
+          {"yardstick", pool.yardstick},
+          {"recordings", pool.frames.size()},
+          {"scores", to_json(method.scores)},
+          {"common", to_json(method.common)},
+          {"intervals", intervals},
+          {"standings", standings}};
+}
+
+Json to_json(const JudgedTable& judged) {
+  const ScoreTable& table = judged.table;
+  Json methods = Json::array();
+  for (std::size_t i = 0; i < judged.methods.size(); ++i)
+    methods.push_back(to_json(table.methods[i], judged.methods[i]));
+  return {{"protocol", table.conditions.protocol},
+          {"gaps", table.conditions.gaps},
+          {"gate", table.conditions.gate},
+          {"recordings", table.recordings},
+          {"seeds", table.seeds},
+          {"by", to_string(table.grouping)},
+          {"group", table.group},
+          {"methods", methods}};
+}
+
+std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 }  // namespace
 
@@ -89,13 +153,13 @@ std::string scores_json(const StoredRun& run, const Recording& recording, const 
                   {"cut_short_at_frame", run.record.cut_short ? Json(run.record.cut_short->frame) : Json()},
                   {"pooled", to_json(sheet.pooled)},
                   {"targets", targets}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return dump(json);
 }
 
-std::string json_array(const std::vector<std::string>& objects) {
+std::string tables_json(const std::vector<JudgedTable>& tables) {
   Json all = Json::array();
-  for (const std::string& object : objects) all.push_back(Json::parse(object));
-  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  for (const JudgedTable& table : tables) all.push_back(to_json(table));
+  return dump({{"tables", all}});
 }
 
 }  // namespace relock

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "cli/comparison.h"
+
+namespace relock {
+
+/// What has a table of its own, within the runs that may stand in one.
+enum class Grouping : std::uint8_t { none, recording, target, code, blur, gap };
+/// "recording", "target", "code", "blur" or "gap". Throws Error otherwise.
+Grouping parse_grouping(std::string_view text);
+std::string_view to_string(Grouping grouping);
+
+/// Everything one method did in the runs of a table.
+struct MethodPool {
+  std::string method;
+  bool yardstick = false;
+  bool deterministic = true;
+  std::size_t runs = 0;
+  Tally tally;
+  std::vector<Fix> common;  ///< Hits common to all methods asked about the target, yardsticks apart
+  /// What each frame of each recording added, over all runs on it: one element where frames are not kept apart.
+  std::map<std::string, std::vector<Contribution>> frames;
+  std::set<std::pair<std::string, std::string>> scored_on;  ///< recording and target
+  std::vector<Failure> failures;                            ///< the first of each run that failed
+};
+
+/// What the runs of one table have in common.
+struct TableConditions {
+  std::string protocol;
+  std::string gaps;  ///< pattern, "none" as recorded
+  std::string gate;
+  friend auto operator<=>(const TableConditions&, const TableConditions&) = default;
+};
+
+/// What may stand in one table: the same conditions, over all recordings, seeds and anchors.
+struct ScoreTable {
+  TableConditions conditions;
+  Grouping grouping = Grouping::none;
+  std::string group;  ///< which recording, target, code or bin; empty: all of them
+  std::set<std::string> recordings;
+  std::set<std::uint64_t> seeds;
+  std::vector<MethodPool> methods;  ///< by name, yardsticks last
+
+  /// How many targets methods were scored on, over all recordings.
+  std::size_t targets() const;
+};
+
+/// From this many recordings on, intervals rest on recordings as units.
+constexpr std::size_t kRecordingsToResample = 10;
+
+/// Adds up the runs of many comparisons, one at a time.
+class ScorePool {
+ public:
+  /// `recordings`: how many there will be. Where intervals rest on recordings, frames are not kept apart.
+  ScorePool(Grouping grouping, std::size_t recordings) : grouping_(grouping), recordings_(recordings) {}
+
+  void add(const ScoredComparison& compared);
+  /// In order of their conditions and groups.
+  std::vector<ScoreTable> tables() &&;
+
+ private:
+  /// One target, or a bin of its frames, and the table that it goes into.
+  struct Part {
+    std::string group;
+    std::size_t target = 0;
+    std::optional<std::size_t> bin = {};
+  };
+  std::vector<Part> parts_of(const Recording& recording) const;
+  ScoreTable& table_of(const ScoredComparison& compared, const Part& part);
+  void add_part(const ScoredComparison& compared, std::size_t run, const Part& part, MethodPool& pool) const;
+  void add_what_is_of_all_targets(const ScoredComparison& compared, std::size_t run, MethodPool& pool) const;
+  void add_frames(const ScoredComparison& compared, std::size_t run, const std::vector<Contribution>& frames,
+                  MethodPool& pool) const;
+
+  Grouping grouping_;
+  std::size_t recordings_;
+  /// By conditions, order of the group, and group.
+  std::map<std::tuple<TableConditions, std::size_t, std::string>, ScoreTable> tables_;
+};
+
+}  // namespace relock

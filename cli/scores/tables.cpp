@@ -1,0 +1,147 @@
+#include "cli/scores/tables.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace relock {
+namespace {
+
+std::string cell(const std::optional<double>& value, int decimals) {
+  return value ? fmt::format("{:.{}f}", *value, decimals) : "n/a";
+}
+
+/// ".07", "1.0", "12": two digits that matter, as narrow as they can be.
+std::string bound(double value) {
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  if (std::abs(value) >= 9.95) return fmt::format("{:.0f}", value);
+  if (std::abs(value) >= 0.995) return fmt::format("{:.1f}", value);
+  std::string text = fmt::format("{:.2f}", value);
+  if (text == "0.00" || text == "-0.00") return "0";
+  return text.erase(text.find('0'), 1);
+}
+
+std::string with_interval(const std::string& value, const std::optional<Interval>& interval) {
+  return interval ? fmt::format("{} [{},{}]", value, bound(interval->low), bound(interval->high)) : value;
+}
+
+/// "0.912 [.85,.95]*": starred are the best and what is not to be told from it.
+std::string share_cell(const JudgedMethod& method, std::size_t which) {
+  const auto& value = method.scores.*share_scores()[which].value;
+  if (!value) return "n/a";
+  const Standing standing = method.standings[which];
+  return with_interval(cell(value, 3), method.shares[which]) +
+         (standing == Standing::best || standing == Standing::tied ? "*" : " ");
+}
+
+/// Localization finer than two standard deviations of the labels says nothing of the method.
+std::string fix_cell(const Localization& l, const std::optional<double>& px) {
+  if (px && l.label_sigma_px && *px < 2 * *l.label_sigma_px)
+    return fmt::format("<{:.2f}", 2 * *l.label_sigma_px);
+  return cell(px, 2);
+}
+
+std::string recovery_cell(const JudgedMethod& method) {
+  const Recovery& r = method.scores.recovery;
+  if (r.losses == 0) return "-";
+  const std::string value =
+      r.median_s ? fmt::format("{:.2f}", *r.median_s) : fmt::format(">{:.2f}", r.follow_up_s);
+  return with_interval(value, method.recovery_median_s);
+}
+
+std::string age_cell(const std::optional<double>& age) {
+  return age && std::isinf(*age) ? "never" : cell(age, 2);
+}
+
+std::string median_cell(const JudgedMethod& method) {
+  const Localization& l = method.scores.localization;
+  const std::string value = fix_cell(l, l.median_px);
+  return value.starts_with("<") ? value : with_interval(value, method.median_px);
+}
+
+enum : std::size_t {
+  kRecognition,
+  kPrecision,
+  kAvailability,
+  kAvailabilityOfCeiling,
+  kLocked,
+  kLockedOfCeiling
+};
+
+std::string seeds_text(const std::set<std::uint64_t>& seeds) {
+  return fmt::format("{} {}", seeds.size() == 1 ? "seed" : "seeds", fmt::join(seeds, ", "));
+}
+
+}  // namespace
+
+std::string heading(const ScoreTable& table) {
+  const std::string what = table.recordings.size() == 1
+                               ? *table.recordings.begin()
+                               : fmt::format("{} recordings", table.recordings.size());
+  const TableConditions& c = table.conditions;
+  const std::string gaps =
+      c.gaps == "none" ? "as recorded" : fmt::format("gaps {} ({})", c.gaps, seeds_text(table.seeds));
+  return fmt::format("{}, {}, protocol {}, gate {}", what, gaps, c.protocol, c.gate);
+}
+
+Table keeping_table(const JudgedTable& judged) {
+  Table table({"method", "recognition ", "available ", "/ceiling", "locked ", "/ceiling", "losses", "/min",
+               "recover s"});
+  for (std::size_t i = 0; i < judged.methods.size(); ++i) {
+    const JudgedMethod& m = judged.methods[i];
+    const Scores& s = m.scores;
+    table.add({judged.table.methods[i].method, share_cell(m, kRecognition), share_cell(m, kAvailability),
+               cell(s.availability_of_ceiling, 3), share_cell(m, kLocked), cell(s.locked_share_of_ceiling, 3),
+               std::to_string(s.losses), with_interval(cell(s.losses_per_minute, 1), m.losses_per_minute),
+               recovery_cell(m)});
+  }
+  return table;
+}
+
+Table exactness_table(const JudgedTable& judged) {
+  Table table({"method", "precision", "silent", "age s", "p95", "e px", "p95", "% D", "common e"});
+  for (std::size_t i = 0; i < judged.methods.size(); ++i) {
+    const JudgedMethod& m = judged.methods[i];
+    const Scores& s = m.scores;
+    const Localization& l = s.localization;
+    table.add({judged.table.methods[i].method, cell(s.precision, 3), cell(s.silent_share, 2),
+               age_cell(s.fix_age.median_s), age_cell(s.fix_age.p95_s), median_cell(m), fix_cell(l, l.p95_px),
+               cell(l.median_percent, 1), fix_cell(m.common, m.common.median_px)});
+  }
+  return table;
+}
+
+Table bins_table(const std::vector<const JudgedTable*>& bins) {
+  std::vector<std::string> header{"method"}, methods;
+  for (const JudgedTable* bin : bins) {
+    header.push_back(bin->table.group);
+    for (const MethodPool& method : bin->table.methods)
+      if (std::find(methods.begin(), methods.end(), method.method) == methods.end())
+        methods.push_back(method.method);
+  }
+  Table table(header);
+  for (const std::string& method : methods) {
+    std::vector<std::string> row{method};
+    for (const JudgedTable* bin : bins) {
+      const auto at = std::find_if(bin->table.methods.begin(), bin->table.methods.end(),
+                                   [&](const MethodPool& m) { return m.method == method; });
+      const auto i = static_cast<std::size_t>(at - bin->table.methods.begin());
+      row.push_back(at == bin->table.methods.end() ? "n/a" : share_cell(bin->methods[i], kRecognition));
+    }
+    table.add(row);
+  }
+  return table;
+}
+
+std::string_view table_footnote() {
+  return R"(
+  [low,high] 95 % intervals. * the best, or not to be told from it by the paired difference; yardsticks apart. recover s:
+  Kaplan-Meier median, > where no more than half recovered while watched. silent: share of lost time with a wrong answer.
+  age s: of the newest Hit, median and p95. e px, p95, % D: position error over Hits, < where it is below the accuracy of
+  the labels (two standard deviations). common e: over Hits common to all methods.
+)";
+}
+
+}  // namespace relock

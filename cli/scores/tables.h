@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/scores/judged.h"
+#include "cli/table.h"
+
+namespace relock {
+
+/// A table with its methods' scores.
+struct JudgedTable {
+  ScoreTable table;
+  std::vector<JudgedMethod> methods;
+};
+
+/// "klahaag, gaps paper (seed 1), protocol once, gate centre 0.25 D, hold 0.5 D".
+std::string heading(const ScoreTable& table);
+
+/// Who keeps the target: recognition, availability, locked share, losses and recovery, with intervals.
+Table keeping_table(const JudgedTable& judged);
+/// What it says and how exactly: precision, silent share, fix age, localization.
+Table exactness_table(const JudgedTable& judged);
+/// Recognition, a column for each bin; all tables have the same conditions.
+Table bins_table(const std::vector<const JudgedTable*>& bins);
+
+/// What the columns mean.
+std::string_view table_footnote();
+
+}  // namespace relock
