@@ -55,13 +55,13 @@ Reach reach_of_share(double share, double half) {
   return {share - 1 + 1 / (1 + odds / factor), 1 - 1 / (1 + odds * factor) - share};
 }
 
-bool same_frames_count(std::span<const RatioSeries> a, std::span<const RatioSeries> b) {
+bool same_frames(std::span<const RatioSeries> a, std::span<const RatioSeries> b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const RatioSeries& x, const RatioSeries& y) { return x.whole == y.whole; });
 }
 
-/// Of a difference of shares of the same frames. It is a share gained less a share lost; where one of them
-/// is nothing it is a share itself, and lopsided as one; where they are equal it is symmetric.
+/// Of a difference of shares of the same frames: a share gained less a share lost, each as lopsided as a share
+/// is, their reaches combined as the method of variance estimates recovery does (Zou and Donner 2008).
 Reach reach_of_difference(std::span<const RatioSeries> a, std::span<const RatioSeries> b, double whole,
                           double half) {
   double gained = 0, lost = 0;
@@ -73,9 +73,15 @@ Reach reach_of_difference(std::span<const RatioSeries> a, std::span<const RatioS
   }
   const double either = gained + lost;
   if (!(either > 0) || either >= 1) return {half, half};
-  const Reach share = reach_of_share(either, half);
-  const double up = gained / either, down = lost / either;
-  return {up * share.down + down * share.up, up * share.up + down * share.down};
+  const Reach most = reach_of_share(either, half);
+  const auto reach = [&](double share) {
+    if (share <= 0) return Reach{};
+    const Reach own = reach_of_share(share, half * std::sqrt(share / either));
+    // Of a few frames alone next to nothing would be known.
+    return Reach{std::min(own.down, most.down), std::min(own.up, most.up)};
+  };
+  const Reach gain = reach(gained), loss = reach(lost);
+  return {std::hypot(gain.down, loss.up), std::hypot(gain.up, loss.down)};
 }
 
 }  // namespace
@@ -99,10 +105,35 @@ std::optional<Interval> difference_interval(std::span<const RatioSeries> a, std:
     for (std::size_t i = 0; i < difference[s].size(); ++i) difference[s][i] -= of_b[s][i];
   const auto half = margin(difference);
   if (!half) return {};
-  const bool shares = all_a.share && all_b.share && same_frames_count(a, b);
+  const bool shares = all_a.share && all_b.share && same_frames(a, b);
   const Reach reach = shares ? reach_of_difference(a, b, all_a.whole, *half) : Reach{*half, *half};
   const double value = all_a.value() - all_b.value();
   return Interval{value - reach.down, value + reach.up};
+}
+
+std::optional<Interval> quantile_interval(std::span<const std::vector<double>> values_by_sequence,
+                                          double share) {
+  std::vector<double> sorted;
+  for (const auto& values : values_by_sequence) sorted.insert(sorted.end(), values.begin(), values.end());
+  if (sorted.empty()) return {};
+  std::sort(sorted.begin(), sorted.end());
+  // Between order statistics as `percentile` interpolates (eval/localization.h).
+  const auto quantile = [&](double at) {
+    const double position = std::clamp(at, 0.0, 1.0) * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(position);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return sorted[below] + (position - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+  };
+  const double estimate = quantile(share);
+  std::vector<RatioSeries> at_most;
+  for (const auto& values : values_by_sequence) {
+    RatioSeries& s = at_most.emplace_back();
+    for (const double v : values) s.part.push_back(v <= estimate ? 1 : 0);
+    s.whole.assign(values.size(), 1);
+  }
+  const auto shares = ratio_interval(at_most);
+  if (!shares) return {};
+  return Interval{quantile(shares->low), quantile(shares->high)};
 }
 
 }  // namespace relock
