@@ -17,11 +17,11 @@ size_t blur_bin(const TargetTruth& truth) {
   return 5;
 }
 
-// Slots since the last frame that was not Dropped; one where there is none.
+// Slots since the last frame that was not Dropped. Where all before were, the gap is at least as long as the
+// recording so far; the first frame comes after one slot.
 std::int64_t slots_before(const Looks& looks, size_t k, Duration period) {
   const auto last = last_before(looks, k, [](const Look& look) { return look.verdict != Verdict::Dropped; });
-  if (!last) return 1;
-  const Duration interval = looks[k].captured - looks[*last].captured;
+  const Duration interval = looks[k].captured - looks[last.value_or(0)].captured;
   // floor(interval / T + 1/2), in whole nanoseconds.
   const std::int64_t count = (2 * interval.count() + period.count()) / (2 * period.count());
   return count < 1 ? 1 : count;
