@@ -71,30 +71,35 @@ void tell(std::map<std::string, int>& count, const std::string& score, const std
   ++count[score + what];
 }
 
+void tell(std::map<std::string, int>& count, const Scores& s) {
+  tell(count, "f1", s.f1);
+  tell(count, "wrong identity rate", s.wrong_identity_rate);
+  tell(count, "false alarms", s.false_alarms_per_1000);
+  tell(count, "spurious", s.spurious_per_minute);
+  tell(count, "median age", s.fix_age.median_s);
+  tell(count, "p95 age", s.fix_age.p95_s);
+  tell(count, "oldest age", s.fix_age.max_s);
+  tell(count, "silent share", s.silent_share);
+}
+
+template <std::size_t n>
+void tell(std::map<std::string, int>& count, const std::string& bin, const std::array<HitCount, n>& bins) {
+  for (std::size_t i = 0; i < n; ++i) {
+    count[bin + std::to_string(i) + " hit"] += static_cast<int>(bins[i].hits);
+    count[bin + std::to_string(i) + " not hit"] += static_cast<int>(bins[i].could_hit - bins[i].hits);
+  }
+}
+
 std::map<std::string, int> score_occurrences() {
   std::map<std::string, int> count;
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     const auto [recording, trajectory] = random_case(seed);
-    const Evaluation evaluation = naive::evaluate(recording, trajectory, Gate{});
-    const Scores s = naive::score(recording, trajectory, evaluation).pooled;
-    tell(count, "f1", s.f1);
-    tell(count, "wrong identity rate", s.wrong_identity_rate);
-    tell(count, "false alarms", s.false_alarms_per_1000);
-    tell(count, "spurious", s.spurious_per_minute);
-    tell(count, "median age", s.fix_age.median_s);
-    tell(count, "p95 age", s.fix_age.p95_s);
-    tell(count, "oldest age", s.fix_age.max_s);
-    tell(count, "silent share", s.silent_share);
-    for (std::size_t i = 0; i < kBlurBinCount; ++i) {
-      count["blur " + std::to_string(i) + " hit"] += static_cast<int>(s.by_blur[i].hits);
-      count["blur " + std::to_string(i) + " not hit"] +=
-          static_cast<int>(s.by_blur[i].could_hit - s.by_blur[i].hits);
-    }
-    for (std::size_t i = 0; i < kGapBinCount; ++i) {
-      count["gap " + std::to_string(i) + " hit"] += static_cast<int>(s.by_gap[i].hits);
-      count["gap " + std::to_string(i) + " not hit"] +=
-          static_cast<int>(s.by_gap[i].could_hit - s.by_gap[i].hits);
-    }
+    const ScoreSheet sheet =
+        naive::score(recording, trajectory, naive::evaluate(recording, trajectory, Gate{}));
+    tell(count, sheet.pooled);
+    for (const Scores& target : sheet.targets) tell(count, target);
+    tell(count, "blur ", sheet.pooled.by_blur);
+    tell(count, "gap ", sheet.pooled.by_gap);
   }
   return count;
 }

@@ -85,6 +85,16 @@ TEST(FixAge, IsInfiniteBeforeTheFirstHit) {
   EXPECT_EQ(mute.max_s, kNever);
 }
 
+TEST(FixAge, IsTheLeastAgeNotExceededForItsShareOfTheTime) {
+  // Just half of the time, or just 95 % of it, with an age of at most 0.1 s: the rest, infinite, is not asked.
+  for (std::size_t n = 1; n <= 100; ++n) {
+    const Scores half = scores(std::string(n, 'M') + std::string(n + 1, 'H'));
+    EXPECT_NEAR(*half.fix_age.median_s, 0.1, 1e-9) << n;
+    const Scores most = scores(std::string(n, 'M') + std::string(19 * n + 1, 'H'));
+    EXPECT_NEAR(*most.fix_age.p95_s, 0.1, 1e-9) << n;
+  }
+}
+
 TEST(FixAge, IsNoYoungerByABoxThatWasGiven) {
   EXPECT_EQ(scores("gMMMM").fix_age.max_s, kNever);
   EXPECT_NEAR(*scores("HMMgMM").fix_age.max_s, 0.5, 1e-9);
