@@ -83,6 +83,8 @@ std::string first_difference(const std::string& what, const std::vector<T>& ours
 }
 
 bool nearly_equal(double a, double b) {
+  if (a == b) return true;  // infinite equals infinite, and nothing else
+  if (!std::isfinite(a) || !std::isfinite(b)) return false;
   return std::abs(a - b) <= 1e-9 * std::max({std::abs(a), std::abs(b), 1e-3});
 }
 
@@ -140,11 +142,15 @@ Fields fields(const Scores& s) {
   for (std::size_t i = 0; i < kVerdicts; ++i) add_count("verdicts " + std::to_string(i), s.verdicts[i]);
   add_count("frames", s.frames), add_count("uncoded", s.uncoded), add_count("failed", s.failed);
   add_count("spurious", s.spurious), add_count("ignored", s.ignored);
-  add("recognition", s.recognition), add("precision", s.precision);
+  add("recognition", s.recognition), add("precision", s.precision), add("f1", s.f1);
+  add("wrong_identity_rate", s.wrong_identity_rate);
+  add("false_alarms_per_1000", s.false_alarms_per_1000), add("spurious_per_minute", s.spurious_per_minute);
   add("visible_s", s.visible_s), add("locked_s", s.locked_s), add("lost_s", s.lost_s);
   add("searching_s", s.searching_s);
   add("availability", s.availability), add("availability_ceiling", s.availability_ceiling);
   add("availability_of_ceiling", s.availability_of_ceiling);
+  add("fix_age.median_s", s.fix_age.median_s), add("fix_age.p95_s", s.fix_age.p95_s);
+  add("fix_age.max_s", s.fix_age.max_s);
   add("locked_share", s.locked_share), add("locked_share_ceiling", s.locked_share_ceiling);
   add("locked_share_of_ceiling", s.locked_share_of_ceiling);
   add_count("losses", s.losses);
@@ -152,6 +158,15 @@ Fields fields(const Scores& s) {
     add_count("losses_by_kind " + std::to_string(i), s.losses_by_kind[i]);
   add("losses_per_minute", s.losses_per_minute),
       add("mean_time_between_losses_s", s.mean_time_between_losses_s);
+  add("silent_share", s.silent_share);
+  for (std::size_t i = 0; i < kBlurBinCount; ++i) {
+    add_count("by_blur could_hit " + std::to_string(i), s.by_blur[i].could_hit);
+    add_count("by_blur hits " + std::to_string(i), s.by_blur[i].hits);
+  }
+  for (std::size_t i = 0; i < kGapBinCount; ++i) {
+    add_count("by_gap could_hit " + std::to_string(i), s.by_gap[i].could_hit);
+    add_count("by_gap hits " + std::to_string(i), s.by_gap[i].hits);
+  }
   const Recovery& r = s.recovery;
   add_count("recovery.losses", r.losses), add_count("recovery.recovered", r.recovered);
   add("recovery.median_s", r.median_s), add("recovery.p90_s", r.p90_s),

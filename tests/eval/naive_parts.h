@@ -59,4 +59,25 @@ struct Watched {
 };
 Recovery recovery_of(const std::vector<Watched>& losses);
 
+// A stretch of visible time.
+struct Interval {
+  std::size_t frame;  // the labelled frame it begins at
+  Time from, to;
+};
+Duration common(Time a, Time a_end, Time b, Time b_end);  // of two stretches of time
+
+// Time over which the newest Hit ages, beginning so old: nothing when there was none yet.
+struct Ageing {
+  std::optional<Duration> from;
+  Duration length;
+};
+std::vector<Ageing> ageings(const std::vector<Interval>& visible, const std::vector<Time>& hits);
+FixAge fix_age_of(const std::vector<Ageing>& ageings);
+
+LostTime lost_time_of(const Looks& looks, const TargetTimeline& timeline,
+                      const std::vector<Interval>& visible);
+
+std::size_t blur_bin(const TargetTruth& truth);
+std::size_t gap_bin(const Looks& looks, std::size_t k, Duration period);
+
 }  // namespace relock::naive

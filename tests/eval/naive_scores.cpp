@@ -21,11 +21,6 @@ Share ratio(const Share& part, const Share& whole) { return part && whole ? rati
 
 // --- Time.
 
-struct Interval {
-  size_t frame;  // the labelled frame it begins at
-  Time from, to;
-};
-
 // An interval between consecutive labelled frames counts when both are visible and it is at most 0.5 s or
 // holds no unlabelled frame; not over a pause; those that begin at a NotStarted or Given frame are left out.
 std::vector<Interval> visible_intervals(const Looks& looks) {
@@ -42,10 +37,6 @@ std::vector<Interval> visible_intervals(const Looks& looks) {
       break;
     }
   return intervals;
-}
-
-Duration common(Time a, Time a_end, Time b, Time b_end) {
-  return std::max(Duration(0), std::min(a_end, b_end) - std::max(a, b));
 }
 
 Duration total(const std::vector<Interval>& intervals) {
@@ -163,11 +154,13 @@ Localization localization_of(const std::vector<HitAt>& hits, size_t frames_to_re
 // --- Everything that is pooled by adding up or by putting together.
 
 struct Heap {
-  Scores counts;  // only its counts and numbers of losses are filled in
+  Scores counts;  // only its counts, numbers of losses and bins are filled in
   size_t to_recognise = 0;
   Duration visible{0}, locked{0}, lost{0}, fresh{0}, fresh_at_best{0}, locked_at_best{0};
   std::vector<Watched> losses;
   std::vector<HitAt> hits;
+  std::vector<Ageing> ageings;
+  LostTime said_while_lost;
 };
 
 void add_target(Heap& heap, const Recording& recording, const Trajectory& trajectory, size_t t,
@@ -182,7 +175,13 @@ void add_target(Heap& heap, const Recording& recording, const Trajectory& trajec
     ++heap.counts.verdicts[static_cast<size_t>(judgement.verdict)];
     heap.counts.uncoded += judgement.uncoded ? 1 : 0;
     heap.counts.failed += judgement.failed ? 1 : 0;
-    heap.to_recognise += counts_for_recognition(looks[k]) ? 1 : 0;
+    if (counts_for_recognition(looks[k])) {
+      const size_t hit = judgement.verdict == Verdict::Hit ? 1 : 0;
+      HitCount& blur = heap.counts.by_blur[blur_bin(recording.truth[k * recording.targets.size() + t])];
+      HitCount& gap = heap.counts.by_gap[gap_bin(looks, k, recording.period)];
+      ++heap.to_recognise, ++blur.could_hit, ++gap.could_hit;
+      blur.hits += hit, gap.hits += hit;
+    }
     if (perfect[k].verdict == Verdict::Hit) possible_hits.push_back(looks[k].captured);
     if (judgement.verdict != Verdict::Hit) continue;
     hits.push_back(looks[k].captured);
@@ -197,6 +196,9 @@ void add_target(Heap& heap, const Recording& recording, const Trajectory& trajec
   heap.fresh += available(visible, hits);
   heap.fresh_at_best += available(visible, possible_hits);
   heap.locked_at_best += spent_in(State::Locked, visible, story_of(perfect, recording.period).states);
+  for (const Ageing& each : ageings(visible, hits)) heap.ageings.push_back(each);
+  const LostTime lost = lost_time_of(looks, timeline, visible);
+  heap.said_while_lost.told += lost.told, heap.said_while_lost.answered += lost.answered;
   for (const Loss& loss : timeline.losses) {
     const Duration time = looks[static_cast<size_t>(loss.end_frame)].captured -
                           looks[static_cast<size_t>(loss.last_good)].captured;
@@ -215,6 +217,8 @@ Scores scores_of(const Heap& heap) {
   s.recognition = ratio(hits, heap.to_recognise);
   s.precision = ratio(hits, said);
   if (said == 0 && heap.to_recognise > 0) s.precision = 0;  // nothing said but something was visible
+  if (heap.to_recognise > 0 || said > 0) s.f1 = hits > 0 ? 2 / (1 / *s.recognition + 1 / *s.precision) : 0;
+  s.wrong_identity_rate = ratio(count(Verdict::WrongId), count(Verdict::WrongId) + hits);
   s.visible_s = in_seconds(heap.visible);
   s.locked_s = in_seconds(heap.locked);
   s.lost_s = in_seconds(heap.lost);
@@ -222,6 +226,8 @@ Scores scores_of(const Heap& heap) {
   s.availability = ratio(in_seconds(heap.fresh), s.visible_s);
   s.availability_ceiling = ratio(in_seconds(heap.fresh_at_best), s.visible_s);
   s.availability_of_ceiling = ratio(s.availability, s.availability_ceiling);
+  s.fix_age = fix_age_of(heap.ageings);
+  s.silent_share = ratio(in_seconds(heap.said_while_lost.answered), in_seconds(heap.said_while_lost.told));
   s.locked_share = ratio(s.locked_s, s.visible_s);
   s.locked_share_ceiling = ratio(in_seconds(heap.locked_at_best), s.visible_s);
   s.locked_share_of_ceiling = ratio(s.locked_share, s.locked_share_ceiling);
@@ -230,6 +236,29 @@ Scores scores_of(const Heap& heap) {
   s.recovery = recovery_of(heap.losses);
   s.localization = localization_of(heap.hits, heap.to_recognise);
   return s;
+}
+
+// Sightings, claimed or not, per 1000 frames whose every verdict is FalseAlarm or CorrectReject.
+Share false_alarms_per_1000(const Trajectory& trajectory, const Evaluation& evaluation) {
+  size_t frames = 0, sightings = 0;
+  for (size_t k = 0; k < trajectory.frames.size(); ++k) {
+    bool without_target = true;
+    for (const TargetTimeline& target : evaluation.targets) {
+      const Verdict verdict = target.judgements[k].verdict;
+      if (verdict != Verdict::FalseAlarm && verdict != Verdict::CorrectReject) without_target = false;
+    }
+    if (!without_target) continue;
+    ++frames;
+    sightings += trajectory.frames[k].sightings.size();
+  }
+  return ratio(1000 * sightings, frames);
+}
+
+// Recorded time goes from the first frame to one period after the last.
+Share spurious_per_minute(const Recording& recording, size_t spurious) {
+  if (recording.captured.empty()) return {};
+  const Duration recorded = recording.captured.back() + recording.period - recording.captured.front();
+  return ratio(static_cast<double>(spurious), in_seconds(recorded) / 60);
 }
 
 }  // namespace
@@ -246,6 +275,8 @@ ScoreSheet score(const Recording& recording, const Trajectory& trajectory, const
   for (const int count : evaluation.spurious) pooled.counts.spurious += static_cast<size_t>(count);
   for (const int count : evaluation.ignored) pooled.counts.ignored += static_cast<size_t>(count);
   sheet.pooled = scores_of(pooled);
+  sheet.pooled.false_alarms_per_1000 = false_alarms_per_1000(trajectory, evaluation);
+  sheet.pooled.spurious_per_minute = spurious_per_minute(recording, pooled.counts.spurious);
   return sheet;
 }
 

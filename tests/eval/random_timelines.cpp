@@ -126,7 +126,7 @@ Recording some_recording(Random& random) {
     const Shape shape = some_shape(random);
     const bool known_when_unlabelled = random.chance(0.5), knows_projected = random.chance(0.3);
     const double sigma = one_of(random, {0.0, 0.0, 0.5});
-    const int blurred = one_of(random, {0, 0, 1, 2});
+    const int blurred = one_of(random, {0, 0, 1, 2});  // no, along y, along (3, 4)
     for (int k = 0; k < frames; ++k) {
       const auto frame = static_cast<size_t>(k);
       TargetTruth& truth = recording.truth_of(frame, static_cast<size_t>(t));
@@ -135,7 +135,10 @@ Recording some_recording(Random& random) {
           (truth.label == Label::unlabelled && known_when_unlabelled && k % 16 < 12))
         truth.outline = shape.at(places[frame]);
       if (truth.outline && knows_projected) truth.centre_projected = places[frame] + Vec2{2, 1};
-      if (blurred > 0) truth.blur = BlurVector{3.0 * (blurred - 1) * (k % 3), 4.0 * (k % 3)};
+      if (blurred > 0 && !random.chance(0.1)) {  // 0 to 100 px, and just that of each bin's end
+        const double length = one_of(random, {0, 0, 1, 1, 2, 3, 4, 6, 8, 12, 16, 20});
+        truth.blur = BlurVector{3 * (blurred - 1) * length, 4 * length};
+      }
       truth.sigma_px = sigma;
     }
   }
