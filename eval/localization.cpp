@@ -67,9 +67,8 @@ Localization localize(std::span<const Fix> fixes, std::size_t visible_frames) {
     sigma.push_back(fix.sigma_px);
   }
   for (std::size_t i = 0; i < kWithinD.size() && visible_frames > 0; ++i) {
-    const auto near = std::count_if(fixes.begin(), fixes.end(), [&](const Fix& fix) {
-      return norm(fix.error_px) <= kWithinD[i] * fix.size_px;
-    });
+    std::size_t near = 0;
+    for (std::size_t k = 0; k < fixes.size(); ++k) near += px[k] <= kWithinD[i] * fixes[k].size_px ? 1 : 0;
     result.within[i] = static_cast<double>(near) / static_cast<double>(visible_frames);
   }
   if (fixes.empty()) return result;
@@ -88,12 +87,12 @@ Localization localize(std::span<const Fix> fixes, std::size_t visible_frames) {
 }
 
 double percentile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
   const double place = share * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  const double part = place - static_cast<double>(below);
-  return values[below] + part * (values[above] - values[below]);
+  const auto below = values.begin() + static_cast<std::ptrdiff_t>(place);
+  std::nth_element(values.begin(), below, values.end());
+  const double part = place - std::floor(place);
+  const double above = below + 1 == values.end() ? *below : *std::min_element(below + 1, values.end());
+  return *below + part * (above - *below);
 }
 
 }  // namespace relock

@@ -45,6 +45,12 @@ std::optional<Interval> losses_per_minute(const Scores& scores) {
   return poisson_rate(scores.losses, scores.locked_s / 60);
 }
 
+std::optional<Interval> median_error(const MethodPool& method) {
+  std::vector<std::vector<double>> errors;
+  for (const auto& [recording, of_it] : method.errors_px) errors.push_back(of_it);
+  return quantile_interval(errors, 0.5);
+}
+
 /// The best method by a score, the first of several; nothing where none has it.
 std::optional<std::size_t> best_of(const ScoreTable& table, const std::vector<JudgedMethod>& judged,
                                    const ShareScore& score) {
@@ -108,6 +114,7 @@ std::vector<JudgedMethod> judged(const ScoreTable& table) {
     for (std::size_t i = 0; i < kShareScores; ++i)
       one.shares[i] = ratio_interval(series_of(share_scores()[i], method));
     one.losses_per_minute = losses_per_minute(one.scores);
+    one.median_px = median_error(method);
     all.push_back(std::move(one));
   }
   for (std::size_t i = 0; i < kShareScores; ++i) rank(table, i, all);

@@ -136,6 +136,8 @@ void ScorePool::add_part(const ScoredComparison& compared, std::size_t run, cons
     return;
   }
   pool.tally += one.tally;
+  std::vector<double>& errors = pool.errors_px[recording.name];
+  for (const Fix& fix : one.tally.fixes) errors.push_back(norm(fix.error_px));
   const std::vector<Fix>& common = compared.common[run][part.target];
   pool.common.insert(pool.common.end(), common.begin(), common.end());
   add_frames(compared, run, one.frames, pool);

@@ -28,6 +28,7 @@ struct MethodPool {
   std::vector<Fix> common;  ///< Hits common to all methods asked about the target, yardsticks apart
   /// What each frame of each recording added, over all runs on it: one element where frames are not kept apart.
   std::map<std::string, std::vector<Contribution>> frames;
+  std::map<std::string, std::vector<double>> errors_px;     ///< of the Hits on each recording, in order
   std::set<std::pair<std::string, std::string>> scored_on;  ///< recording and target
   std::vector<Failure> failures;                            ///< the first of each run that failed
 };
