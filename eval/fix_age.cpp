@@ -8,6 +8,7 @@ namespace relock {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kRounding = 1e-10;  // sums of up to a million stretches miss their whole by less, relatively
 
 /// Where the share of time with an age of at most x rises by another slope.
 struct Bend {
@@ -33,8 +34,8 @@ double age_after(const std::vector<Bend>& bends, double wanted_s) {
   for (std::size_t i = 0; i + 1 < bends.size(); ++i) {
     slope += bends[i].slope;
     const double rise = static_cast<double>(slope) * (bends[i + 1].age_s - bends[i].age_s);
-    if (slope > 0 && reached + rise >= wanted_s)
-      return bends[i].age_s + (wanted_s - reached) / static_cast<double>(slope);
+    if (slope > 0 && reached + rise >= wanted_s * (1 - kRounding))
+      return std::min(bends[i].age_s + (wanted_s - reached) / static_cast<double>(slope), bends[i + 1].age_s);
     reached += rise;
   }
   return kNever;
@@ -65,8 +66,7 @@ FixAge fix_age(std::span<const AgeStretch> stretches) {
   }
   if (total <= 0) return {};
   const std::vector<Bend> bends = bends_of(stretches);
-  // The last bend is the greatest age; sums of seconds may miss it by rounding.
-  const double oldest = finite < total * (1 - 1e-12) || bends.empty() ? kNever : bends.back().age_s;
+  const double oldest = finite < total * (1 - kRounding) || bends.empty() ? kNever : bends.back().age_s;
   const auto age = [&](double share) { return std::min(age_after(bends, share * total), oldest); };
   return {age(0.5), age(0.95), oldest};
 }

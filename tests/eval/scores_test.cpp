@@ -203,7 +203,7 @@ TEST(BlurBins, TakeTheirUpperEndIn) {
 Tally sum_over_targets(const Case& c, const Evaluation& evaluation) {
   Tally sum = tally_of_frames(c.recording, evaluation);
   for (std::size_t t = 0; t < c.recording.targets.size(); ++t)
-    sum += tally(c.recording, c.trajectory, evaluation, t);
+    sum += tally(c.recording, c.trajectory, evaluation, t).tally;
   return sum;
 }
 
