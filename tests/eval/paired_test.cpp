@@ -1,0 +1,283 @@
+#include "eval/paired.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/random.h"
+#include "eval/common_frames.h"
+#include "eval/scores.h"
+#include "tests/eval/made_flight.h"
+#include "tests/eval/random_timelines.h"
+
+namespace relock {
+namespace {
+
+/// What a detector said, one frame a letter: H where the target is, S 30 px beside it, M nothing; . never came.
+Trajectory said(const Recording& recording, const std::string& letters) {
+  Trajectory arm;
+  arm.judged_from = {0};
+  arm.failed_from = {{}};
+  for (std::size_t frame = 0; frame < letters.size(); ++frame) {
+    FrameReport report;
+    if (letters[frame] == '.') report.delivery = Delivery::dropped;
+    if (letters[frame] == 'H' || letters[frame] == 'S') {
+      Box box = bounds(*recording.truth_of(frame, 0).outline);
+      if (letters[frame] == 'S') box.y += 30;
+      report.sightings = {sighting_of(box)};
+    }
+    arm.frames.push_back(report);
+  }
+  return arm;
+}
+
+GapCost cost(const Recording& recording, const std::string& without, const std::string& with) {
+  const Trajectory a = said(recording, without), b = said(recording, with);
+  return cost_of_gaps(std::vector<Pair>{{recording, a, b}});
+}
+
+Recording visible(std::size_t frames) { return made_flight(std::string(frames, 'v')); }
+
+/// Outages that begin and end at random with every recorded frame, whether it comes or not.
+std::string outages(Random& random, std::size_t frames) {
+  std::string letters;
+  for (bool out = false; letters.size() < frames; letters += out ? 'M' : 'H')
+    out = out ? !random.chance(0.2) : random.chance(0.02);
+  return letters;
+}
+
+/// One interval in five spans 4 slots.
+std::string with_gaps(Random& random, std::string letters) {
+  for (std::size_t frame = 1; frame + 3 < letters.size(); frame += 4 * (random.below(8) + 1))
+    letters.replace(frame, 3, "...");
+  return letters;
+}
+
+/// The frames that came, as a recording of their own.
+struct Alone {
+  Recording recording;
+  Trajectory trajectory;
+};
+Alone delivered_alone(const Recording& recording, const Trajectory& trajectory, Duration period) {
+  Alone alone{recording, trajectory};
+  alone.recording.period = period;
+  alone.recording.captured.clear();
+  alone.recording.truth.clear();
+  alone.trajectory.frames.clear();
+  std::vector<FrameIndex> rank;  // of the first frame kept from here on
+  for (std::size_t frame = 0; frame < recording.frames(); ++frame) {
+    rank.push_back(static_cast<FrameIndex>(alone.recording.frames()));
+    if (trajectory.frames[frame].delivery != Delivery::delivered) continue;
+    alone.recording.captured.push_back(recording.captured[frame]);
+    for (std::size_t t = 0; t < recording.targets.size(); ++t)
+      alone.recording.truth.push_back(recording.truth_of(frame, t));
+    alone.trajectory.frames.push_back(trajectory.frames[frame]);
+  }
+  for (auto* from : {&alone.trajectory.judged_from, &alone.trajectory.failed_from})
+    for (auto& frame : *from)
+      if (frame) frame = rank[static_cast<std::size_t>(*frame)];
+  return alone;
+}
+
+std::size_t losses_alone(const Recording& recording, const std::string& letters) {
+  const Trajectory arm = said(recording, letters);
+  const Alone alone = delivered_alone(recording, arm, recording.period);
+  return evaluate(alone.recording, alone.trajectory).targets[0].losses.size();
+}
+
+struct Mean {
+  double sum = 0, squares = 0, n = 0;
+  void add(double value) { sum += value, squares += value * value, ++n; }
+  double value() const { return sum / n; }
+  double standard_error() const { return std::sqrt((squares / n - value() * value()) / n); }
+};
+
+// What the pair is for: both arms lose the target when they will, gaps or not. Told apart is nothing.
+TEST(CostOfGaps, IsZeroInExpectationWhenOutagesIgnoreDeliveryAndTheNaiveRuleFindsABargain) {
+  const Recording recording = visible(600);
+  Mean recognition, locked, losses, per_minute, naive_losses;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    Random random(seed);
+    const std::string without = outages(random, 600), with = with_gaps(random, outages(random, 600));
+    const GapCost pair = cost(recording, without, with);
+    recognition.add(pair[CostScore::recognition].difference.value());
+    locked.add(pair[CostScore::locked_share].difference.value());
+    per_minute.add(pair[CostScore::losses_per_minute].difference.value());
+    losses.add(static_cast<double>(pair.losses_with) - static_cast<double>(pair.losses_without));
+    naive_losses.add(static_cast<double>(losses_alone(recording, with)) -
+                     static_cast<double>(losses_alone(recording, without)));
+  }
+  for (const Mean& mean : {recognition, locked, losses, per_minute})
+    EXPECT_LT(std::abs(mean.value()), 2.6 * mean.standard_error());
+  EXPECT_LT(naive_losses.value(), -1) << "each arm on its own frames looks better with gaps";
+  EXPECT_LT(naive_losses.value(), -8 * naive_losses.standard_error());
+}
+
+TEST(CostOfGaps, IsExactlyZeroWhenNothingWasDropped) {
+  const Recording recording = visible(300);
+  Random random(4);
+  const std::string letters = outages(random, 300);
+  const GapCost pair = cost(recording, letters, letters);
+  EXPECT_EQ(pair.common_frames, 300u);
+  EXPECT_EQ(pair.losses_with, pair.losses_without);
+  for (const PairedScore& score : pair.scores) {
+    EXPECT_EQ(score.difference, 0.0);
+    EXPECT_EQ(score.with, score.without);
+  }
+  EXPECT_EQ(pair.recorded_availability_with, pair.recorded_availability_without);
+}
+
+TEST(CostOfGaps, IsWhatAMethodWasBuiltToLoseAfterEveryGap) {
+  std::string without, with;
+  for (int n = 0; n < 30; ++n) {
+    without += std::string(24, 'H');
+    with += "HHHHHHHHHHHH...MMMMMHHHH";  // 5 of 21 frames after each gap, 30 times
+  }
+  const GapCost pair = cost(visible(without.size()), without, with);
+  EXPECT_EQ(pair.common_frames, 30u * 21);
+  EXPECT_EQ(pair.losses_without, 0u);
+  EXPECT_EQ(pair.losses_with, 30u);
+  EXPECT_NEAR(pair[CostScore::recognition].difference.value(), -5.0 / 21, 1e-12);
+  // From the last Hold before a gap to the first Hit after it are 9 slots of 24; the last run has no end to them.
+  EXPECT_NEAR(pair[CostScore::locked_share].difference.value(), -9.0 / 24, 1e-3);
+  for (const CostScore score : {CostScore::recognition, CostScore::locked_share, CostScore::availability,
+                                CostScore::losses_per_minute})
+    EXPECT_EQ(verdict_on(score, pair[score]), -1) << to_string(score);
+}
+
+TEST(CostOfGaps, LeavesTheAgeOfFixesToTheAvailabilityOnAllRecordedFrames) {
+  const std::string without(300, 'H');
+  std::string with;
+  for (int n = 0; n < 30; ++n) with += "HHHH.....H";  // a Hit on every frame that came
+  const GapCost pair = cost(visible(300), without, with);
+  EXPECT_EQ(pair[CostScore::availability].difference, 0.0);
+  EXPECT_NEAR(pair.recorded_availability_without.value(), 1, 1e-9);
+  EXPECT_NEAR(pair.recorded_availability_with.value(), 0.7, 0.01);
+}
+
+TEST(CostOfGaps, OfErrorsIsTakenOverHitsOfBothArmsOnTheSameFrame) {
+  const Recording recording = visible(9);
+  Trajectory without = said(recording, "HHHHHHHHH"), with = said(recording, "HHH.HSMHH");
+  for (FrameReport& report : without.frames) report.sightings.front().centre.x += 1;
+  for (const std::size_t frame : {0u, 1u, 2u, 4u, 7u, 8u}) with.frames[frame].sightings.front().centre.x += 3;
+  without.frames[5].sightings.front().centre.x += 8;  // no Hit in the other arm
+  const GapCost pair = cost_of_gaps(std::vector<Pair>{{recording, without, with}});
+  EXPECT_NEAR(pair[CostScore::error_px].without.value(), 1, 1e-9);
+  EXPECT_NEAR(pair[CostScore::error_px].with.value(), 3, 1e-9);
+}
+
+TEST(CostOfGaps, PoolsSequencesAndSeedsFrameByFrame) {
+  Recording first = visible(200), second = visible(200);
+  second.name = "other";
+  Random random(11);
+  std::vector<Trajectory> arms;
+  for (int n = 0; n < 3; ++n) {
+    arms.push_back(said(first, outages(random, 200)));
+    arms.push_back(said(first, with_gaps(random, outages(random, 200))));
+  }
+  const std::vector<Pair> pairs{
+      {first, arms[0], arms[1]}, {first, arms[2], arms[3]}, {second, arms[4], arms[5]}};
+  const GapCost pooled = cost_of_gaps(pairs);
+  double hits = 0, frames = 0, losses = 0;
+  for (const Pair& pair : pairs) {
+    const CommonFrames both = common_frames(pair.recording, pair.without, pair.with);
+    const Scores scores = score(both.recording, both.with, evaluate(both.recording, both.with)).pooled;
+    const double could = static_cast<double>(scores.verdicts[static_cast<std::size_t>(Verdict::Hit)] +
+                                             scores.verdicts[static_cast<std::size_t>(Verdict::Miss)]);
+    hits += scores.recognition.value() * could;
+    frames += could;
+    losses += static_cast<double>(scores.losses);
+  }
+  EXPECT_EQ(pooled.pairs, 3u);
+  EXPECT_NEAR(pooled[CostScore::recognition].with.value(), hits / frames, 1e-12);
+  EXPECT_EQ(static_cast<double>(pooled.losses_with), losses);
+}
+
+TEST(CostOfGaps, HasTheScoresOfRelockScoreOnTheCommonFrames) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const Case drawn = random_case(seed);
+    const CommonFrames both = common_frames(drawn.recording, drawn.trajectory, drawn.trajectory);
+    if (both.common.empty()) continue;
+    const Scores expected = score(both.recording, both.with, evaluate(both.recording, both.with)).pooled;
+    const GapCost pair =
+        cost_of_gaps(std::vector<Pair>{{drawn.recording, drawn.trajectory, drawn.trajectory}});
+    const auto same = [&](CostScore which, const std::optional<double>& value) {
+      ASSERT_EQ(pair[which].with.has_value(), value.has_value()) << to_string(which) << " seed " << seed;
+      if (value) EXPECT_NEAR(*pair[which].with, *value, 1e-9) << to_string(which) << " seed " << seed;
+    };
+    same(CostScore::recognition, expected.recognition);
+    same(CostScore::locked_share, expected.locked_share);
+    same(CostScore::availability, expected.availability);
+    same(CostScore::losses_per_minute, expected.losses_per_minute);
+    EXPECT_EQ(pair.losses_with, expected.losses);
+  }
+}
+
+TEST(CommonFrames, AreJudgedAsIfTheOthersHadNeverBeenRecorded) {
+  const Recording recording = visible(400);
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    Random random(seed);
+    const Trajectory without = said(recording, outages(random, 400));
+    const Trajectory with = said(recording, with_gaps(random, outages(random, 400)));
+    const CommonFrames both = common_frames(recording, without, with);
+    for (const Trajectory* arm : {&both.without, &both.with}) {
+      const Alone alone = delivered_alone(both.recording, *arm, nominal_period([&] {
+                                            std::vector<Time> captured;
+                                            for (std::size_t f = 0; f < both.common.size(); ++f)
+                                              if (both.common[f]) captured.push_back(recording.captured[f]);
+                                            return captured;
+                                          }()));
+      const Scores kept = score(both.recording, *arm, evaluate(both.recording, *arm)).pooled;
+      const Scores renumbered =
+          score(alone.recording, alone.trajectory, evaluate(alone.recording, alone.trajectory)).pooled;
+      EXPECT_EQ(kept.recognition, renumbered.recognition);
+      EXPECT_EQ(kept.losses, renumbered.losses);
+      EXPECT_NEAR(kept.visible_s, renumbered.visible_s, 1e-9);
+      EXPECT_NEAR(kept.locked_s, renumbered.locked_s, 1e-9);
+      EXPECT_NEAR(kept.lost_s, renumbered.lost_s, 1e-9);
+      EXPECT_NEAR(kept.availability.value(), renumbered.availability.value(), 1e-9);
+      EXPECT_EQ(kept.recovery.median_s, renumbered.recovery.median_s);
+    }
+  }
+}
+
+TEST(CommonFrames, HaveTheirOwnPeriodWhateverWasStated) {
+  Recording recording = visible(60);
+  std::string with;
+  for (int n = 0; n < 20; ++n) with += "H..";
+  const CommonFrames both =
+      common_frames(recording, said(recording, std::string(60, 'H')), said(recording, with));
+  EXPECT_EQ(both.recording.period, 3 * recording.period);
+}
+
+TEST(CommonFrames, StopLabelsWhereTheyStopOnAllRecordedFrames) {
+  // Over 0.5 s apart with an unlabelled frame between, which only one arm got; and the frames that would have
+  // stopped them had the labelled one between not been recorded.
+  const std::string labels = std::string(30, 'v') + std::string(20, '?') + std::string(30, 'v');
+  Recording recording = made_flight(labels);
+  const std::string held = std::string(30, 'H') + std::string(20, 'M') + std::string(30, 'H');
+  std::string lost = held;
+  lost.replace(27, 3, "MMM");
+  std::string with = lost;
+  with.replace(30, 20, std::string(20, '.'));
+  const CommonFrames both = common_frames(recording, said(recording, lost), said(recording, with));
+  const Evaluation judged = evaluate(both.recording, both.with);
+  ASSERT_EQ(judged.targets[0].losses.size(), 1u);
+  EXPECT_EQ(judged.targets[0].losses[0].end, LossEnd::labels_stopped);
+}
+
+TEST(CommonFrames, EndBeforeTheFirstResetOfEitherArm) {
+  const Recording recording = visible(40);
+  Trajectory without = said(recording, std::string(40, 'H')), with = without;
+  without.frames[0].given = with.frames[0].given = {0};
+  EXPECT_FALSE(common_frames(recording, without, with).ends_at_reset);
+  without.frames[30].given = {0};
+  with.frames[25].given = {0};
+  const CommonFrames both = common_frames(recording, without, with);
+  EXPECT_TRUE(both.ends_at_reset);
+  EXPECT_EQ(both.recording.frames(), 25u);
+  EXPECT_EQ(both.without.frames.size(), 25u);
+}
+
+}  // namespace
+}  // namespace relock
