@@ -15,6 +15,7 @@ namespace relock {
 struct Arguments {
   RunArguments run;
   ScoreArguments score;
+  CostArguments cost;
   TimelineArguments timeline;
   DetectArguments detect;
   ListArguments list;

@@ -32,6 +32,7 @@ struct RunArguments {
   std::optional<double> memory_limit_mb;
   int jobs = 1;
   bool dry_run = false;
+  bool paired = false;  ///< as recorded, too, and the cost of the gaps at the end
 };
 int run(const RunArguments& arguments, const Methods& methods);
 
@@ -41,6 +42,13 @@ struct ScoreArguments {
   bool json = false;
 };
 int score(const ScoreArguments& arguments);
+
+struct CostArguments {
+  std::filesystem::path folder;
+  std::optional<std::string> gate;  ///< else the one by which resets were judged, else centre
+  bool json = false;
+};
+int cost(const CostArguments& arguments);
 
 struct TimelineArguments {
   std::filesystem::path folder;

@@ -1,6 +1,7 @@
 #include "eval/paired.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <string>
@@ -23,7 +24,7 @@ struct SequenceSums {
   Ratios without, with;
   struct Errors {
     std::size_t frame;
-    double without_px, with_px;
+    double without_px, with_px, label_sigma_px;
   };
   std::vector<Errors> errors;  // of Hits in both arms
 };
@@ -96,7 +97,7 @@ void add_errors(const CommonFrames& both, const Evaluation& without, const Evalu
     for (std::size_t frame = 0; frame < both.recording.frames(); ++frame) {
       const Judgement &a = without.targets[t].judgements[frame], &b = with.targets[t].judgements[frame];
       if (a.verdict == Verdict::Hit && b.verdict == Verdict::Hit)
-        sums.errors.push_back({frame, a.error_px, b.error_px});
+        sums.errors.push_back({frame, a.error_px, b.error_px, both.recording.truth_of(frame, t).sigma_px});
     }
   }
 }
@@ -160,6 +161,17 @@ PairedScore paired_ratio(CostScore score, std::span<SequenceSums> sequences) {
   return paired;
 }
 
+double label_sigma(std::span<const SequenceSums> sequences) {
+  double squares = 0, count = 0;
+  for (const SequenceSums& sums : sequences) {
+    for (const auto& errors : sums.errors) {
+      squares += errors.label_sigma_px * errors.label_sigma_px;
+      ++count;
+    }
+  }
+  return count > 0 ? std::sqrt(squares / count) : 0;
+}
+
 PairedScore paired_error(std::span<const SequenceSums> sequences) {
   std::vector<double> without, with;
   for (const SequenceSums& sums : sequences) {
@@ -206,6 +218,7 @@ GapCost cost_of_gaps(std::span<const Pair> pairs, const Gate& gate) {
   for (std::size_t i = 0; i < kRatios; ++i)
     cost.scores[i] = paired_ratio(static_cast<CostScore>(i), sequences);
   cost.scores[kRatios] = paired_error(sequences);
+  cost.label_sigma_px = label_sigma(sequences);
   cost.recorded_availability_without = value_of({&recorded_without, 1});
   cost.recorded_availability_with = value_of({&recorded_with, 1});
   return cost;

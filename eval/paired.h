@@ -48,6 +48,7 @@ struct GapCost {
   std::size_t common_frames = 0;   ///< of them, delivered in both arms
   std::size_t ended_at_reset = 0;  ///< pairs that the first reset of either arm ended
   std::size_t losses_without = 0, losses_with = 0;
+  double label_sigma_px = 0;                    ///< RMS accuracy of the labels behind error_px; 0: exact
   std::array<PairedScore, kCostScores> scores;  ///< by CostScore
   /// Availability on all recorded frames as far as they were compared: gaps make fixes old, whatever the
   /// method does, and only here is that seen.

@@ -46,7 +46,7 @@ std::string outages(Random& random, std::size_t frames) {
   return letters;
 }
 
-/// One interval in five spans 4 slots.
+/// Gaps of 4 slots, every 4 to 32 frames.
 std::string with_gaps(Random& random, std::string letters) {
   for (std::size_t frame = 1; frame + 3 < letters.size(); frame += 4 * (random.below(8) + 1))
     letters.replace(frame, 3, "...");
@@ -94,11 +94,11 @@ struct Mean {
 
 // What the pair is for: both arms lose the target when they will, gaps or not. Told apart is nothing.
 TEST(CostOfGaps, IsZeroInExpectationWhenOutagesIgnoreDeliveryAndTheNaiveRuleFindsABargain) {
-  const Recording recording = visible(600);
+  const Recording recording = visible(1000);
   Mean recognition, locked, losses, per_minute, naive_losses;
-  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     Random random(seed);
-    const std::string without = outages(random, 600), with = with_gaps(random, outages(random, 600));
+    const std::string without = outages(random, 1000), with = with_gaps(random, outages(random, 1000));
     const GapCost pair = cost(recording, without, with);
     recognition.add(pair[CostScore::recognition].difference.value());
     locked.add(pair[CostScore::locked_share].difference.value());
@@ -110,7 +110,7 @@ TEST(CostOfGaps, IsZeroInExpectationWhenOutagesIgnoreDeliveryAndTheNaiveRuleFind
   for (const Mean& mean : {recognition, locked, losses, per_minute})
     EXPECT_LT(std::abs(mean.value()), 2.6 * mean.standard_error());
   EXPECT_LT(naive_losses.value(), -1) << "each arm on its own frames looks better with gaps";
-  EXPECT_LT(naive_losses.value(), -8 * naive_losses.standard_error());
+  EXPECT_LT(naive_losses.value(), -4 * naive_losses.standard_error());
 }
 
 TEST(CostOfGaps, IsExactlyZeroWhenNothingWasDropped) {
@@ -203,7 +203,8 @@ TEST(CostOfGaps, HasTheScoresOfRelockScoreOnTheCommonFrames) {
         cost_of_gaps(std::vector<Pair>{{drawn.recording, drawn.trajectory, drawn.trajectory}});
     const auto same = [&](CostScore which, const std::optional<double>& value) {
       ASSERT_EQ(pair[which].with.has_value(), value.has_value()) << to_string(which) << " seed " << seed;
-      if (value) EXPECT_NEAR(*pair[which].with, *value, 1e-9) << to_string(which) << " seed " << seed;
+      EXPECT_NEAR(pair[which].with.value_or(0), value.value_or(0), 1e-9)
+          << to_string(which) << " seed " << seed;
     };
     same(CostScore::recognition, expected.recognition);
     same(CostScore::locked_share, expected.locked_share);
@@ -250,20 +251,32 @@ TEST(CommonFrames, HaveTheirOwnPeriodWhateverWasStated) {
   EXPECT_EQ(both.recording.period, 3 * recording.period);
 }
 
+/// How the one loss ends, on frames common to both arms, of a method that loses the target before the labels
+/// end and has it again after; `with`: which frames came in the other arm.
+LossEnd end_of_loss(const std::string& labels, const std::string& delivered) {
+  const Recording recording = made_flight(labels);
+  std::string without;
+  for (std::size_t frame = 0; frame < labels.size(); ++frame)
+    without += labels[frame] != 'v' || (frame >= 27 && frame < 30) ? 'M' : 'H';
+  std::string with = without;
+  for (std::size_t frame = 0; frame < labels.size(); ++frame)
+    if (delivered[frame] == '.') with[frame] = '.';
+  const CommonFrames both = common_frames(recording, said(recording, without), said(recording, with));
+  const auto losses = evaluate(both.recording, both.with).targets[0].losses;
+  return losses.size() == 1 ? losses[0].end : LossEnd::reset;
+}
+
 TEST(CommonFrames, StopLabelsWhereTheyStopOnAllRecordedFrames) {
-  // Over 0.5 s apart with an unlabelled frame between, which only one arm got; and the frames that would have
-  // stopped them had the labelled one between not been recorded.
-  const std::string labels = std::string(30, 'v') + std::string(20, '?') + std::string(30, 'v');
-  Recording recording = made_flight(labels);
-  const std::string held = std::string(30, 'H') + std::string(20, 'M') + std::string(30, 'H');
-  std::string lost = held;
-  lost.replace(27, 3, "MMM");
-  std::string with = lost;
-  with.replace(30, 20, std::string(20, '.'));
-  const CommonFrames both = common_frames(recording, said(recording, lost), said(recording, with));
-  const Evaluation judged = evaluate(both.recording, both.with);
-  ASSERT_EQ(judged.targets[0].losses.size(), 1u);
-  EXPECT_EQ(judged.targets[0].losses[0].end, LossEnd::labels_stopped);
+  const std::string before(30, 'v'), after(20, 'v');
+  const std::string stopped = before + std::string(20, '?') + after;
+  EXPECT_EQ(end_of_loss(stopped, std::string(70, 'd')), LossEnd::labels_stopped);
+  EXPECT_EQ(end_of_loss(stopped, std::string(30, 'd') + std::string(20, '.') + std::string(20, 'd')),
+            LossEnd::labels_stopped)
+      << "the unlabelled frames came in one arm only";
+  const std::string going_on = before + "?????v?????v????v" + after;
+  EXPECT_EQ(end_of_loss(going_on, std::string(31, 'd') + std::string(16, '.') + std::string(20, 'd')),
+            LossEnd::recovered)
+      << "the labelled frames between came in one arm only";
 }
 
 TEST(CommonFrames, EndBeforeTheFirstResetOfEitherArm) {
