@@ -59,6 +59,16 @@ void add_cost(CLI::App& app, CostArguments& a) {
   add_gate(verb, a.gate, "when an answer is a Hit");
 }
 
+void add_explain(CLI::App& app, ExplainArguments& a) {
+  CLI::App& verb = *app.add_subcommand(
+      "explain", "Tell every loss in order: when, over which gap, in which picture, how it ended");
+  verb.add_option("run", a.folder, "the folder of a run, or one of many (yardsticks are then left out)")
+      ->required();
+  verb.add_option("--target", a.target, "only this target");
+  verb.add_flag("--json", a.json, "print it as JSON");
+  add_gate(verb, a.gate, "when an answer is a Hit");
+}
+
 void add_timeline(CLI::App& app, TimelineArguments& a) {
   CLI::App& verb =
       *app.add_subcommand("timeline", "Show when each method had the target, lost it and had it back");
@@ -169,6 +179,7 @@ void add_verbs(CLI::App& app, Arguments& arguments) {
   add_run(app, arguments.run);
   add_score(app, arguments.score);
   add_cost(app, arguments.cost);
+  add_explain(app, arguments.explain);
   add_timeline(app, arguments.timeline);
   add_detect(app, arguments.detect);
   add_list(app, arguments.list);

@@ -16,6 +16,7 @@ struct Arguments {
   RunArguments run;
   ScoreArguments score;
   CostArguments cost;
+  ExplainArguments explain;
   TimelineArguments timeline;
   DetectArguments detect;
   ListArguments list;

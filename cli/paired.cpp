@@ -148,6 +148,13 @@ void add_method(Table& table, const GapExperiment::MethodCost& method) {
   add_error(table, cost);
 }
 
+/// Whether nothing differs between the arms; so it is with yardsticks that do not look at pictures.
+bool same_in_both(const GapCost& cost) {
+  return cost.losses_with == cost.losses_without &&
+         std::all_of(cost.scores.begin(), cost.scores.end(),
+                     [](const PairedScore& s) { return s.difference.value_or(0) == 0; });
+}
+
 std::string listed(const std::string& what, std::size_t count, const std::string& items) {
   return fmt::format("{}{} {}", what, count == 1 ? "" : "s", items);
 }
@@ -243,8 +250,16 @@ std::vector<GapExperiment> gap_experiments(std::vector<StoredComparison> compari
 
 std::string cost_text(const GapExperiment& experiment) {
   Table table({"", "without", "with", "difference", "95 % interval", ""});
-  for (const auto& method : experiment.methods) add_method(table, method);
+  std::vector<std::string> same;
+  for (const auto& method : experiment.methods) {
+    if (method.yardstick && same_in_both(method.cost)) {
+      same.push_back(method.method);
+    } else {
+      add_method(table, method);
+    }
+  }
   std::string text = heading(experiment) + frames_text(experiment) + "\n" + table.text(2);
+  if (!same.empty()) text += fmt::format("  yardsticks without any difference: {}\n", fmt::join(same, ", "));
   for (const auto& method : experiment.methods)
     if (!method.deterministic)
       text += fmt::format("  {} answers differently from run to run: its differences hold that, too\n",

@@ -50,6 +50,14 @@ struct CostArguments {
 };
 int cost(const CostArguments& arguments);
 
+struct ExplainArguments {
+  std::filesystem::path folder;
+  std::optional<std::string> gate;    ///< else the one by which resets were judged, else centre
+  std::optional<std::string> target;  ///< only this one
+  bool json = false;
+};
+int explain(const ExplainArguments& arguments);
+
 struct TimelineArguments {
   std::filesystem::path folder;
   std::optional<std::string> gate;    ///< else the one by which resets were judged, else centre

@@ -157,7 +157,7 @@ PairedScore paired_ratio(CostScore score, std::span<SequenceSums> sequences) {
   PairedScore paired{value_of(without), value_of(with), {}, {}};
   if (!paired.without || !paired.with) return paired;
   paired.difference = *paired.with - *paired.without;
-  paired.interval = difference_interval(without, with);
+  paired.interval = difference_interval(with, without);
   return paired;
 }
 
@@ -172,17 +172,41 @@ double label_sigma(std::span<const SequenceSums> sequences) {
   return count > 0 ? std::sqrt(squares / count) : 0;
 }
 
+/// Of the median of the frame-by-frame differences: the interval of the share of frames at or below it, read
+/// off as quantiles (Woodruff 1952).
+std::optional<Interval> interval_of_median(std::span<const SequenceSums> sequences,
+                                           const std::vector<double>& differences, double median) {
+  std::vector<RatioSeries> at_or_below;
+  for (const SequenceSums& sums : sequences) {
+    const std::size_t frames = sums.with.front().part.size();
+    RatioSeries series{std::vector<double>(frames), std::vector<double>(frames)};
+    for (const auto& errors : sums.errors) {
+      series.whole[errors.frame] += 1;
+      series.part[errors.frame] += errors.with_px - errors.without_px <= median ? 1 : 0;
+    }
+    at_or_below.push_back(std::move(series));
+  }
+  const auto share = ratio_interval(at_or_below);
+  const auto value = value_of(at_or_below);
+  if (!share || !value) return {};
+  const auto quantile = [&](double p) {
+    return percentile(differences, std::clamp(0.5 + p - *value, 0.0, 1.0));
+  };
+  return Interval{quantile(share->low), quantile(share->high)};
+}
+
 PairedScore paired_error(std::span<const SequenceSums> sequences) {
-  std::vector<double> without, with;
+  std::vector<double> without, with, differences;
   for (const SequenceSums& sums : sequences) {
     for (const auto& errors : sums.errors) {
       without.push_back(errors.without_px);
       with.push_back(errors.with_px);
+      differences.push_back(errors.with_px - errors.without_px);
     }
   }
-  if (without.empty()) return {};
-  PairedScore paired{percentile(without, 0.5), percentile(with, 0.5), {}, {}};
-  paired.difference = *paired.with - *paired.without;
+  if (differences.empty()) return {};
+  PairedScore paired{percentile(without, 0.5), percentile(with, 0.5), percentile(differences, 0.5), {}};
+  paired.interval = interval_of_median(sequences, differences, *paired.difference);
   return paired;
 }
 

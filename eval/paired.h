@@ -34,7 +34,7 @@ std::string_view to_string(CostScore score);
 /// One score in both arms, on their common frames. An empty value is n/a.
 struct PairedScore {
   std::optional<double> without, with;
-  std::optional<double> difference;  ///< with - without
+  std::optional<double> difference;  ///< with - without; of error_px the median of the frames' differences
   std::optional<Interval> interval;  ///< 95 %, of the difference; frames stay paired
 };
 /// What the interval says: -1 the method does worse with the gaps, 1 better, 0 nothing (it holds zero, or there
