@@ -102,9 +102,24 @@ std::string spoken(LossEnd end) {
   return text;
 }
 
+using Row = std::vector<std::string>;
+
+/// Without the columns that are n/a throughout: the recording does not know them.
+Table known_columns(const std::vector<Row>& rows) {
+  std::vector<Row> known(rows.size());
+  for (std::size_t column = 0; column < rows.front().size(); ++column) {
+    if (std::all_of(rows.begin() + 1, rows.end(), [&](const Row& row) { return row[column] == "n/a"; }))
+      continue;
+    for (std::size_t i = 0; i < rows.size(); ++i) known[i].push_back(rows[i][column]);
+  }
+  Table table(known.front());
+  for (std::size_t i = 1; i < known.size(); ++i) table.add(known[i]);
+  return table;
+}
+
 Table columns_of_losses(const Case& c) {
-  Table table({"#", "onset s", "rule", "kind", "slots", "injected", "blur px", "moved D", "border px",
-               "tilt deg", "D px", "ended by", "after s"});
+  std::vector<Row> rows{{"#", "onset s", "rule", "kind", "slots", "injected", "blur px", "moved D",
+                         "border px", "tilt deg", "D px", "ended by", "after s"}};
   std::size_t number = 0;
   for (const Loss& loss : c.timeline().losses) {
     const Circumstances with = c.of(loss);
@@ -115,7 +130,7 @@ Table columns_of_losses(const Case& c) {
          cell(with.border_px, 0), cell(with.tilt_deg, 0), cell(with.size_px, 0), spoken(loss.end),
          fmt::format("{:.2f}", seconds(loss_time(c.recording(), loss)))});
   }
-  return table;
+  return known_columns(rows);
 }
 
 void print(const Case& c) {

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::string_view kFootnote = R"(
   Differences are with - without, on the frames that came in both arms; worse, better: the interval holds no zero.
+  error px: medians over Hits of both arms on the same frame, and the median of their differences there.
   available, all frames: on every recorded frame, so that it shows how old answers grow over the gaps.
 )";
 

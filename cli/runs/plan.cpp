@@ -40,7 +40,8 @@ class PlanReader {
     plan.out = beside(root_.word("out").value_or(plan.out.string()));
     plan.limits.frame_s = root_.positive("frame_limit_s", 0.01, 1e6).value_or(plan.limits.frame_s);
     plan.limits.memory_mb = root_.positive("memory_limit_mb", 1, 1e9).value_or(plan.limits.memory_mb);
-    if (root_.value<bool>("paired", "true or false").value_or(false)) pair_up(plan);
+    if (root_.value<bool>("paired", "true or false").value_or(false))
+      told_here(*root_.node("paired"), [&] { pair_up(plan); });
     return plan;
   }
 
