@@ -123,7 +123,7 @@ Table columns_of_losses(const Case& c) {
   std::size_t number = 0;
   for (const Loss& loss : c.timeline().losses) {
     const Circumstances with = c.of(loss);
-    table.add(
+    rows.push_back(
         {std::to_string(++number), fmt::format("{:.2f}-{:.2f}", c.at(loss.last_good), c.at(loss.first_lost)),
          loss.rule == LossRule::a ? "a" : "b", std::string(to_string(loss.kind)), std::to_string(with.slots),
          std::to_string(with.slots_injected), cell(with.blur_px, 1), cell(with.displacement_d, 2),

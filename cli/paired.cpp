@@ -30,7 +30,9 @@ struct Arms {
   StoredComparison* with;
 };
 
-StoredComparison* arm_without(std::vector<StoredComparison>& all, const StoredComparison& with) {
+/// Where among `all` the arm as recorded is.
+std::optional<std::size_t> arm_without(const std::vector<StoredComparison>& all,
+                                       const StoredComparison& with) {
   const auto key = [](const StoredComparison& c) {
     const RunRecord& r = conditions_of(c);
     return std::tie(r.recording, r.fingerprint, r.protocol, r.gate, r.seed);
@@ -38,7 +40,8 @@ StoredComparison* arm_without(std::vector<StoredComparison>& all, const StoredCo
   const auto found = std::find_if(all.begin(), all.end(), [&](const StoredComparison& other) {
     return as_recorded(other) && key(other) == key(with);
   });
-  return found == all.end() ? nullptr : &*found;
+  if (found == all.end()) return {};
+  return static_cast<std::size_t>(found - all.begin());
 }
 
 /// Arms of runs that were cut short are compared as far as both go.
@@ -231,11 +234,12 @@ std::vector<GapExperiment> gap_experiments(std::vector<StoredComparison> compari
   std::map<std::tuple<std::string, Protocol, std::string>, std::vector<Arms>> by_pattern;
   for (StoredComparison& with : comparisons) {
     if (as_recorded(with)) continue;
-    StoredComparison* without = arm_without(comparisons, with);
+    const auto without = arm_without(comparisons, with);
     if (!without) continue;
-    make_equally_long({without, &with});
+    const Arms arms{&comparisons[*without], &with};
+    make_equally_long(arms);
     const RunRecord& record = conditions_of(with);
-    by_pattern[{record.gaps, record.protocol, record.gate}].push_back({without, &with});
+    by_pattern[{record.gaps, record.protocol, record.gate}].push_back(arms);
   }
   if (by_pattern.empty())
     throw Error(
@@ -247,6 +251,18 @@ std::vector<GapExperiment> gap_experiments(std::vector<StoredComparison> compari
     experiments.push_back(experiment_on(arms, gate));
   }
   return experiments;
+}
+
+std::vector<std::string> without_a_pair(const std::vector<StoredComparison>& comparisons) {
+  std::vector<std::string> sentences;
+  for (const StoredComparison& with : comparisons) {
+    const RunRecord& record = conditions_of(with);
+    if (as_recorded(with) || arm_without(comparisons, with)) continue;
+    sentences.push_back(
+        fmt::format("{} with gaps {}, seed {}, protocol {}: there is no run of it as recorded",
+                    record.recording, record.gaps, record.seed, to_string(record.protocol)));
+  }
+  return sentences;
 }
 
 std::string cost_text(const GapExperiment& experiment) {
@@ -276,8 +292,10 @@ std::string cost_json(const std::vector<GapExperiment>& experiments) {
 }
 
 void print_cost_of_gaps(std::vector<StoredComparison> comparisons, const std::optional<std::string>& gate) {
+  const auto left_out = without_a_pair(comparisons);
   for (const GapExperiment& experiment : gap_experiments(std::move(comparisons), gate))
     fmt::print("{}\n", cost_text(experiment));
+  for (const std::string& sentence : left_out) fmt::print("  left out: {}\n", sentence);
   fmt::print("{}", kFootnote.substr(1));
 }
 

@@ -31,6 +31,9 @@ struct GapExperiment {
 std::vector<GapExperiment> gap_experiments(std::vector<StoredComparison> comparisons,
                                            const std::optional<std::string>& gate);
 
+/// Runs with gaps that have no arm as recorded, and so no place in an experiment: a sentence on each.
+std::vector<std::string> without_a_pair(const std::vector<StoredComparison>& comparisons);
+
 /// One table, for people.
 std::string cost_text(const GapExperiment& experiment);
 /// One JSON object for each experiment and method.

@@ -62,6 +62,11 @@ TEST(GapExperiments, AreOneForEachPatternOverRecordingsAndSeeds) {
 TEST(GapExperiments, ArePairedWithTheSameSeedOnly) {
   EXPECT_THROW(gap_experiments({comparison("a", "none", 1, "HHHH"), comparison("a", "paper", 2, "HH.H")}, {}),
                Error);
+  const auto left_out =
+      without_a_pair({comparison("a", "none", 1, "HHHH"), comparison("a", "paper", 1, "HH.H"),
+                      comparison("a", "paper", 2, "HH.H")});
+  ASSERT_EQ(left_out.size(), 1u);
+  EXPECT_NE(left_out[0].find("seed 2"), std::string::npos) << left_out[0];
 }
 
 TEST(GapExperiments, LeaveOutAMethodThatOneArmDoesNotHave) {
