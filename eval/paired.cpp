@@ -7,6 +7,7 @@
 #include <string>
 
 #include "eval/common_frames.h"
+#include "eval/definitions.h"
 #include "eval/localization.h"
 #include "eval/statistics/ratio.h"
 #include "eval/visible_time.h"
@@ -54,11 +55,15 @@ std::vector<Time> times_of_hits(const Recording& recording, const TargetTimeline
 }
 
 /// The part of one interval at which the newest Hit is fresh.
-Duration fresh_part(const VisibleInterval& interval, std::span<const Time> hits) {
-  const auto after = std::upper_bound(hits.begin(), hits.end(), interval.from);
-  const auto end = std::lower_bound(after, hits.end(), interval.to);
-  const auto first = after == hits.begin() ? after : after - 1;
-  return fresh_time({&interval, 1}, {first, end});
+Duration fresh_part(const VisibleInterval& interval, const std::vector<Time>& hits) {
+  auto hit = std::upper_bound(hits.begin(), hits.end(), interval.from);
+  if (hit != hits.begin()) --hit;
+  Duration fresh{0};
+  for (; hit != hits.end() && *hit < interval.to; ++hit) {
+    const Time next = hit + 1 == hits.end() ? interval.to : std::min(*(hit + 1), interval.to);
+    fresh += std::max(Duration{0}, std::min(*hit + kFreshFix, next) - std::max(*hit, interval.from));
+  }
+  return fresh;
 }
 
 void add_availability(const Recording& recording, std::size_t target, const TargetTimeline& timeline,
