@@ -86,6 +86,9 @@ std::vector<Told> told(const Case& c) {
   if (const auto& failed = c.run.trajectory.failed_from[c.target])
     all.push_back({*failed, fmt::format("       Failed at {:.2f} s; it gave no answer from there on.\n",
                                         c.at(*failed))});
+  if (const auto& cut = c.run.record.cut_short)
+    all.push_back({cut->frame, fmt::format("       The recording could not be read beyond frame {}: {}.\n",
+                                           cut->frame, cut->what)});
   std::stable_sort(all.begin(), all.end(), [](const Told& a, const Told& b) { return a.when < b.when; });
   return all;
 }
@@ -233,7 +236,6 @@ int explain(const ExplainArguments& arguments) {
         print(c);
       }
     });
-    if (!arguments.json) print_end_of_recording(comparison);
   }
   if (arguments.json) fmt::print("{}\n", objects.dump(2));
   return 0;

@@ -177,41 +177,33 @@ double label_sigma(std::span<const SequenceSums> sequences) {
   return count > 0 ? std::sqrt(squares / count) : 0;
 }
 
-/// Of the median of the frame-by-frame differences: the interval of the share of frames at or below it, read
-/// off as quantiles (Woodruff 1952).
-std::optional<Interval> interval_of_median(std::span<const SequenceSums> sequences,
-                                           const std::vector<double>& differences, double median) {
-  std::vector<RatioSeries> at_or_below;
-  for (const SequenceSums& sums : sequences) {
-    const std::size_t frames = sums.with.front().part.size();
-    RatioSeries series{std::vector<double>(frames), std::vector<double>(frames)};
-    for (const auto& errors : sums.errors) {
-      series.whole[errors.frame] += 1;
-      series.part[errors.frame] += errors.with_px - errors.without_px <= median ? 1 : 0;
-    }
-    at_or_below.push_back(std::move(series));
-  }
-  const auto share = ratio_interval(at_or_below);
-  const auto value = value_of(at_or_below);
-  if (!share || !value) return {};
-  const auto quantile = [&](double p) {
-    return percentile(differences, std::clamp(0.5 + p - *value, 0.0, 1.0));
-  };
-  return Interval{quantile(share->low), quantile(share->high)};
+/// What the errors of one sequence are, in order of frames: those of seeds side by side.
+std::vector<double> values(const SequenceSums& sums, double (*value)(const SequenceSums::Errors&)) {
+  auto errors = sums.errors;
+  std::stable_sort(errors.begin(), errors.end(),
+                   [](const auto& a, const auto& b) { return a.frame < b.frame; });
+  std::vector<double> all;
+  for (const auto& one : errors) all.push_back(value(one));
+  return all;
+}
+
+/// The median of a value over the errors of all sequences.
+std::optional<double> median(const std::vector<std::vector<double>>& by_sequence) {
+  std::vector<double> all;
+  for (const auto& one : by_sequence) all.insert(all.end(), one.begin(), one.end());
+  if (all.empty()) return {};
+  return percentile(all, 0.5);
 }
 
 PairedScore paired_error(std::span<const SequenceSums> sequences) {
-  std::vector<double> without, with, differences;
+  std::vector<std::vector<double>> without, with, differences;
   for (const SequenceSums& sums : sequences) {
-    for (const auto& errors : sums.errors) {
-      without.push_back(errors.without_px);
-      with.push_back(errors.with_px);
-      differences.push_back(errors.with_px - errors.without_px);
-    }
+    without.push_back(values(sums, [](const auto& e) { return e.without_px; }));
+    with.push_back(values(sums, [](const auto& e) { return e.with_px; }));
+    differences.push_back(values(sums, [](const auto& e) { return e.with_px - e.without_px; }));
   }
-  if (differences.empty()) return {};
-  PairedScore paired{percentile(without, 0.5), percentile(with, 0.5), percentile(differences, 0.5), {}};
-  paired.interval = interval_of_median(sequences, differences, *paired.difference);
+  PairedScore paired{median(without), median(with), median(differences), {}};
+  if (paired.difference) paired.interval = quantile_interval(differences, 0.5);
   return paired;
 }
 

@@ -44,6 +44,46 @@ std::optional<double> margin(std::span<const std::vector<double>> influences) {
   return std::sqrt(found->variance) * student_quantile(found->freedom);
 }
 
+/// How far the interval reaches to either side of the estimate.
+struct Reach {
+  double down = 0, up = 0;
+};
+
+/// Of a share: symmetric on the scale of log odds, where its ends are infinitely far away.
+Reach reach_of_share(double share, double half) {
+  const double odds = share / (1 - share), factor = std::exp(half / (share * (1 - share)));
+  return {share - 1 + 1 / (1 + odds / factor), 1 - 1 / (1 + odds * factor) - share};
+}
+
+bool same_frames(std::span<const RatioSeries> a, std::span<const RatioSeries> b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const RatioSeries& x, const RatioSeries& y) { return x.whole == y.whole; });
+}
+
+/// Of a difference of shares of the same frames: a share gained less a share lost, each as lopsided as a share
+/// is, their reaches combined as the method of variance estimates recovery does (Zou and Donner 2008).
+Reach reach_of_difference(std::span<const RatioSeries> a, std::span<const RatioSeries> b, double whole,
+                          double half) {
+  double gained = 0, lost = 0;
+  for (std::size_t s = 0; s < a.size(); ++s) {
+    for (std::size_t i = 0; i < a[s].part.size(); ++i) {
+      const double gain = (a[s].part[i] - b[s].part[i]) / whole;
+      (gain > 0 ? gained : lost) += std::abs(gain);
+    }
+  }
+  const double either = gained + lost;
+  if (!(either > 0) || either >= 1) return {half, half};
+  const Reach most = reach_of_share(either, half);
+  const auto reach = [&](double share) {
+    if (share <= 0) return Reach{};
+    const Reach own = reach_of_share(share, half * std::sqrt(share / either));
+    // Of a few frames alone next to nothing would be known.
+    return Reach{std::min(own.down, most.down), std::min(own.up, most.up)};
+  };
+  const Reach gain = reach(gained), loss = reach(lost);
+  return {std::hypot(gain.down, loss.up), std::hypot(gain.up, loss.down)};
+}
+
 }  // namespace
 
 std::optional<Interval> ratio_interval(std::span<const RatioSeries> sequences) {
@@ -52,10 +92,8 @@ std::optional<Interval> ratio_interval(std::span<const RatioSeries> sequences) {
   const auto half = margin(influence(sequences, all));
   if (!half) return {};
   const double value = all.value();
-  if (!all.share) return Interval{value - *half, value + *half};
-  // On the scale of log odds, where a share is as far from its ends on both sides.
-  const double odds = value / (1 - value), factor = std::exp(*half / (value * (1 - value)));
-  return Interval{1 - 1 / (1 + odds / factor), 1 - 1 / (1 + odds * factor)};
+  const Reach reach = all.share ? reach_of_share(value, *half) : Reach{*half, *half};
+  return Interval{value - reach.down, value + reach.up};
 }
 
 std::optional<Interval> difference_interval(std::span<const RatioSeries> a, std::span<const RatioSeries> b) {
@@ -67,8 +105,35 @@ std::optional<Interval> difference_interval(std::span<const RatioSeries> a, std:
     for (std::size_t i = 0; i < difference[s].size(); ++i) difference[s][i] -= of_b[s][i];
   const auto half = margin(difference);
   if (!half) return {};
+  const bool shares = all_a.share && all_b.share && same_frames(a, b);
+  const Reach reach = shares ? reach_of_difference(a, b, all_a.whole, *half) : Reach{*half, *half};
   const double value = all_a.value() - all_b.value();
-  return Interval{value - *half, value + *half};
+  return Interval{value - reach.down, value + reach.up};
+}
+
+std::optional<Interval> quantile_interval(std::span<const std::vector<double>> values_by_sequence,
+                                          double share) {
+  std::vector<double> sorted;
+  for (const auto& values : values_by_sequence) sorted.insert(sorted.end(), values.begin(), values.end());
+  if (sorted.empty()) return {};
+  std::sort(sorted.begin(), sorted.end());
+  // Between order statistics as `percentile` interpolates (eval/localization.h).
+  const auto quantile = [&](double at) {
+    const double position = std::clamp(at, 0.0, 1.0) * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(position);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return sorted[below] + (position - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+  };
+  const double estimate = quantile(share);
+  std::vector<RatioSeries> at_most;
+  for (const auto& values : values_by_sequence) {
+    RatioSeries& s = at_most.emplace_back();
+    for (const double v : values) s.part.push_back(v <= estimate ? 1 : 0);
+    s.whole.assign(values.size(), 1);
+  }
+  const auto shares = ratio_interval(at_most);
+  if (!shares) return {};
+  return Interval{quantile(shares->low), quantile(shares->high)};
 }
 
 }  // namespace relock

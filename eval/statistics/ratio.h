@@ -15,10 +15,23 @@ struct RatioSeries {
 };
 
 /// 95 % interval of Σ part / Σ whole; nothing where it cannot be told (whole is zero, or too little data).
+///
+/// Frames may depend on their neighbours, and frames whose part and whole are zero count as time. From
+/// kManySequences sequences on, the uncertainty is the scatter between the sequences; below, that of the slow
+/// waves within them (statistics/long_run.h). Where every part lies between 0 and its whole, the interval is
+/// symmetric in log odds and stays within [0, 1]. "Too little": fewer than 5 outages (stretches below the mean)
+/// in all, or sequences too short for how slowly they change. Coverage: docs/statistics.md.
+/// Every sequence has as many wholes as parts.
 std::optional<Interval> ratio_interval(std::span<const RatioSeries> sequences);
 
-/// 95 % interval of the difference a - b of two such ratios on the same frames (paired: the same resamples for
-/// both).
+/// 95 % interval of the difference a - b of two such ratios on the same frames: paired, so that what both share
+/// cancels. As many sequences in both, of the same lengths.
 std::optional<Interval> difference_interval(std::span<const RatioSeries> a, std::span<const RatioSeries> b);
+
+/// 95 % interval of the quantile at `share` in (0, 1) of values that depend on their neighbours: of the share
+/// of values at or below it, mapped back through the values (Woodruff 1952). Nothing where that share's
+/// interval cannot be told.
+std::optional<Interval> quantile_interval(std::span<const std::vector<double>> values_by_sequence,
+                                          double share);
 
 }  // namespace relock
