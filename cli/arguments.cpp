@@ -29,6 +29,8 @@ void add_run(CLI::App& app, RunArguments& a) {
   verb.add_option("--gaps", a.gaps,
                   "frames lost on the way: none, paper, paper-6s, bernoulli(p), gilbert-elliott(p,r), "
                   "periodic(n,k), trace(file) or fps(n)");
+  verb.add_flag("--paired", a.paired,
+                "run as recorded, too, and tell at the end what the gaps cost each method");
   verb.add_option("--seed", a.seed, "of everything drawn at random; else 1");
   add_gate(verb, a.gate, "protocol reset: when an answer is a Hit");
   verb.add_option("--out", a.out, "folder for the results; else results");
@@ -57,6 +59,24 @@ void add_score(CLI::App& app, ScoreArguments& a) {
   add_format("--markdown", ScoreFormat::markdown, "print the tables in Markdown");
   add_format("--latex", ScoreFormat::latex, "print the tables in LaTeX, with booktabs");
   format.require_option(0, 1);
+}
+
+void add_cost(CLI::App& app, CostArguments& a) {
+  CLI::App& verb =
+      *app.add_subcommand("cost", "Tell what the gaps cost each method, from runs made with --paired");
+  verb.add_option("results", a.folder, "a folder of results")->required();
+  verb.add_flag("--json", a.json, "print it as JSON");
+  add_gate(verb, a.gate, "when an answer is a Hit");
+}
+
+void add_explain(CLI::App& app, ExplainArguments& a) {
+  CLI::App& verb = *app.add_subcommand(
+      "explain", "Tell every loss in order: when, over which gap, in which picture, how it ended");
+  verb.add_option("run", a.folder, "the folder of a run, or one of many (yardsticks are then left out)")
+      ->required();
+  verb.add_option("--target", a.target, "only this target");
+  verb.add_flag("--json", a.json, "print it as JSON");
+  add_gate(verb, a.gate, "when an answer is a Hit");
 }
 
 void add_timeline(CLI::App& app, TimelineArguments& a) {
@@ -168,6 +188,8 @@ void add_marker(CLI::App& app, MarkerArguments& a) {
 void add_verbs(CLI::App& app, Arguments& arguments) {
   add_run(app, arguments.run);
   add_score(app, arguments.score);
+  add_cost(app, arguments.cost);
+  add_explain(app, arguments.explain);
   add_timeline(app, arguments.timeline);
   add_detect(app, arguments.detect);
   add_list(app, arguments.list);

@@ -15,6 +15,8 @@ namespace relock {
 struct Arguments {
   RunArguments run;
   ScoreArguments score;
+  CostArguments cost;
+  ExplainArguments explain;
   TimelineArguments timeline;
   DetectArguments detect;
   ListArguments list;

@@ -55,6 +55,8 @@ Methods with_plugins(const CLI::App& app, const Arguments& arguments, Methods me
 int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& methods) {
   if (app.got_subcommand("run")) return run(arguments.run, methods);
   if (app.got_subcommand("score")) return score(arguments.score);
+  if (app.got_subcommand("cost")) return cost(arguments.cost);
+  if (app.got_subcommand("explain")) return explain(arguments.explain);
   if (app.got_subcommand("timeline")) return timeline(arguments.timeline);
   if (app.got_subcommand("detect")) return detect(arguments.detect, methods);
   if (app.got_subcommand("inspect")) return inspect(arguments.inspect);

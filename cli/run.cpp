@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <opencv2/core/ocl.hpp>
 #include <opencv2/core/utility.hpp>
+#include <set>
 
+#include "cli/paired.h"
 #include "cli/runs/folder.h"
 #include "cli/runs/matrix.h"
 #include "cli/runs/pool.h"
@@ -22,7 +24,7 @@ constexpr int kMethodFailed = 1, kInputAtFault = 2, kInterrupted = 130;
 Plan plan_of(const RunArguments& arguments) {
   const bool described = arguments.sequence || arguments.methods || arguments.gaps || arguments.protocol ||
                          arguments.seed || arguments.gate || arguments.labels || arguments.rate_hz ||
-                         arguments.format || arguments.topic;
+                         arguments.format || arguments.topic || arguments.paired;
   if (arguments.plan && described)
     throw Error("a plan says what to run; beside it only --out, --jobs and --dry-run may be given");
   if (!arguments.plan && !arguments.methods)
@@ -38,6 +40,7 @@ Plan plan_of(const RunArguments& arguments) {
     if (arguments.protocol) plan.protocols = {parse_protocol(*arguments.protocol)};
     if (arguments.seed) plan.seeds = {*arguments.seed};
     if (arguments.gate) plan.gate = parse_gate(*arguments.gate);
+    if (arguments.paired) pair_up(plan);
   }
   if (arguments.out) plan.out = *arguments.out;
   if (arguments.frame_limit_s) plan.limits.frame_s = *arguments.frame_limit_s;
@@ -131,6 +134,17 @@ void note_faults(Faults& faults, const PlannedRun& run, const FinishedRun& done)
   }
 }
 
+/// What the gaps cost, of the runs of this plan only: other runs may be in its folder, too.
+void tell_cost(const Plan& plan, const Matrix& matrix) {
+  std::set<std::filesystem::path> folders;
+  for (const PlannedRun& run : matrix.runs)
+    folders.insert(std::filesystem::weakly_canonical(run.folder.parent_path()));
+  auto comparisons = read_results(plan.out);
+  std::erase_if(comparisons, [&](const StoredComparison& c) { return !folders.contains(c.folder); });
+  fmt::print("\n");
+  print_cost_of_gaps(std::move(comparisons), {});
+}
+
 int make(const Plan& plan, const Matrix& matrix, int jobs) {
   const ResultsLock lock = prepare_results(plan.out);
   for (const Sequence& sequence : matrix.sequences)
@@ -164,6 +178,7 @@ int make(const Plan& plan, const Matrix& matrix, int jobs) {
   const std::string out = plan.out.string();
   fmt::print("Results are in {0}; see them with `relock timeline {0}` and `relock score {0}`\n", out);
   std::fflush(stdout);
+  if (plan.paired) tell_cost(plan, matrix);
   return faults.tell();
 }
 

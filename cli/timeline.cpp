@@ -4,11 +4,10 @@
 
 #include <algorithm>
 
+#include "cli/chosen_target.h"
 #include "cli/comparison.h"
 #include "cli/terminal.h"
 #include "cli/verbs.h"
-#include "core/error.h"
-#include "core/nearest.h"
 #include "eval/timeline_text.h"
 
 namespace relock {
@@ -56,21 +55,6 @@ void print_target(const ScoredComparison& scored, std::size_t t, TimelineStyle s
              target.code ? fmt::format(" ({})", to_string(*target.code)) : "");
   for (const Line& line : lines) print_line(line, name_columns, style, width);
   fmt::print("  {:{}}  {}\n", "", name_columns, marks);
-}
-
-bool wanted(const Target& target, const std::optional<TargetId>& only) { return !only || target.id == *only; }
-
-/// Throws Error when no recording has the target that was asked for.
-void check_target(const std::vector<StoredComparison>& all, const std::optional<TargetId>& only) {
-  std::vector<std::string> ids;
-  for (const StoredComparison& comparison : all) {
-    for (const Target& target : comparison.recording.targets) {
-      if (wanted(target, only)) return;
-      ids.push_back(target.id);
-    }
-  }
-  throw Error(
-      fmt::format("there is no target \"{}\"{}", only.value_or(""), did_you_mean(only.value_or(""), ids)));
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ struct RunArguments {
   std::optional<double> memory_limit_mb;
   int jobs = 1;
   bool dry_run = false;
+  bool paired = false;  ///< as recorded, too, and the cost of the gaps at the end
 };
 int run(const RunArguments& arguments, const Methods& methods);
 
@@ -43,6 +44,21 @@ struct ScoreArguments {
   ScoreFormat format = ScoreFormat::text;
 };
 int score(const ScoreArguments& arguments);
+
+struct CostArguments {
+  std::filesystem::path folder;
+  std::optional<std::string> gate;  ///< else the one by which resets were judged, else centre
+  bool json = false;
+};
+int cost(const CostArguments& arguments);
+
+struct ExplainArguments {
+  std::filesystem::path folder;
+  std::optional<std::string> gate;    ///< else the one by which resets were judged, else centre
+  std::optional<std::string> target;  ///< only this one
+  bool json = false;
+};
+int explain(const ExplainArguments& arguments);
 
 struct TimelineArguments {
   std::filesystem::path folder;

@@ -27,4 +27,11 @@ struct Recording {
   }
 };
 
+/// The recording as if it had ended after `frames` frames.
+inline Recording up_to(Recording recording, std::size_t frames) {
+  recording.captured.resize(frames);
+  recording.truth.resize(frames * recording.targets.size());
+  return recording;
+}
+
 }  // namespace relock

@@ -9,6 +9,7 @@
 
 #include "eval/circumstances.h"
 #include "eval/localization.h"
+#include "eval/loss_text.h"
 #include "eval/scores.h"
 
 namespace relock {
@@ -61,46 +62,6 @@ Verdict most_frequent(const std::array<int, kVerdicts>& count) {
   return static_cast<Verdict>(best);
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  if (words.empty()) return "";
-  std::string text = words[0];
-  for (std::size_t i = 1; i < words.size(); ++i) text += (i + 1 == words.size() ? " and " : ", ") + words[i];
-  return text;
-}
-
-std::string how_lost(LossKind kind) {
-  switch (kind) {
-    case LossKind::Silent:
-      return "lost silently";
-    case LossKind::WrongId:
-      return "taken for another";
-    case LossKind::Drift:
-      return "drifted off";
-    case LossKind::Declared:
-      break;
-  }
-  return "lost, and said so,";
-}
-
-std::string how_ended(const Recording& recording, const Loss& loss) {
-  const double watched = seconds(loss_time(recording, loss));
-  switch (loss.end) {
-    case LossEnd::recovered:
-      return fmt::format("recovered in {:.2f} s", watched);
-    case LossEnd::chance:
-      return fmt::format("the target came back to it by chance after {:.2f} s", watched);
-    case LossEnd::target_left:
-      return fmt::format("not recovered in the {:.2f} s before the target left", watched);
-    case LossEnd::reset:
-      return fmt::format("started again after {:.2f} s", watched);
-    case LossEnd::labels_stopped:
-      return fmt::format("not recovered in the {:.2f} s before labels stop", watched);
-    case LossEnd::recording_stopped:
-      break;
-  }
-  return fmt::format("not recovered in {:.2f} s", watched);
-}
-
 class Story {
  public:
   Story(const Recording& recording, const Trajectory& trajectory, const Evaluation& evaluation,
@@ -151,14 +112,7 @@ class Story {
 
   std::string one_loss(const Loss& loss) const {
     const Circumstances c = circumstances(recording_, trajectory_, target_, loss);
-    const Duration onset = recording_.captured[static_cast<std::size_t>(loss.first_lost)] -
-                           recording_.captured[static_cast<std::size_t>(loss.last_good)];
-    if (slots(onset, recording_.period) < 2)
-      return fmt::format("{} at {:.2f} s; {}", how_lost(loss.kind), at(loss.last_good),
-                         how_ended(recording_, loss));
-    const std::string gap = c.slots < 2 ? "" : fmt::format(", over a gap of {} slots", c.slots);
-    return fmt::format("{} at {:.2f}-{:.2f} s{}; {}", how_lost(loss.kind), at(loss.last_good),
-                       at(loss.first_lost), gap, how_ended(recording_, loss));
+    return fmt::format("{}; {}", onset_text(recording_, loss, c), end_text(recording_, loss));
   }
 
   std::string several_losses() const {

@@ -89,14 +89,6 @@ void remove_left_behind(const fs::path& out) {
   for (const fs::path& path : all) fs::remove_all(path);
 }
 
-/// The recording as far as a run that was cut short saw it.
-Recording up_to(const Recording& recording, std::size_t frames) {
-  Recording part = recording;
-  part.captured.resize(frames);
-  part.truth.resize(frames * recording.targets.size());
-  return part;
-}
-
 StoredRun read_run(const fs::path& folder, const Recording& recording) {
   StoredRun run{folder, read_record(folder / "run.json"), {}};
   run.trajectory.reads_codes = run.record.reads_codes;

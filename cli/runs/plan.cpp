@@ -12,8 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kKeys{"sequences", "sequence", "methods", "gaps",          "protocols",
-                                     "seeds",     "gate",     "out",     "frame_limit_s", "memory_limit_mb"};
+const std::vector<std::string> kKeys{"sequences",     "sequence",        "methods", "gaps",
+                                     "protocols",     "seeds",           "gate",    "out",
+                                     "frame_limit_s", "memory_limit_mb", "paired"};
 const std::vector<std::string> kSequenceKeys{"path", "labels", "rate_hz", "format", "topic"};
 const std::vector<std::string> kMethodKeys{"name", "options"};
 
@@ -39,6 +40,8 @@ class PlanReader {
     plan.out = beside(root_.word("out").value_or(plan.out.string()));
     plan.limits.frame_s = root_.positive("frame_limit_s", 0.01, 1e6).value_or(plan.limits.frame_s);
     plan.limits.memory_mb = root_.positive("memory_limit_mb", 1, 1e9).value_or(plan.limits.memory_mb);
+    if (root_.value<bool>("paired", "true or false").value_or(false))
+      told_here(*root_.node("paired"), [&] { pair_up(plan); });
     return plan;
   }
 
@@ -137,6 +140,14 @@ class PlanReader {
 };
 
 }  // namespace
+
+void pair_up(Plan& plan) {
+  std::erase(plan.gaps, "none");
+  if (plan.gaps.empty())
+    throw Error("a paired experiment compares a gap pattern with what was recorded; say which one (gaps)");
+  plan.gaps.insert(plan.gaps.begin(), "none");
+  plan.paired = true;
+}
 
 Plan read_plan(const fs::path& file) {
   const toml::table table = parse_toml(file);

@@ -33,6 +33,7 @@ struct RunLimits {
 ///     methods = ["kcf", "csrt(psr_threshold=0.05)"]
 ///     gaps = ["none", "paper", "bernoulli(0.1)"]      # else as recorded
 ///     protocols = ["once", "reset"]                   # else once
+///     paired = true                                   # as recorded, too: what do the gaps cost?
 ///     seeds = [1, 2, 3]                               # else 1
 ///     gate = "centre"                                 # by which protocol reset judges losses
 ///     out = "results"
@@ -45,9 +46,14 @@ struct Plan {
   std::vector<Protocol> protocols{Protocol::once};
   std::vector<std::uint64_t> seeds{1};
   Gate gate = {};
+  bool paired = false;  ///< `gaps` holds "none", too, and the arms are compared
   std::filesystem::path out = "results";
   RunLimits limits = {};
 };
+
+/// Makes a paired gap experiment of a plan: every gap pattern is compared with what was recorded. Throws Error
+/// when the plan has no pattern.
+void pair_up(Plan& plan);
 
 /// Throws Error with file, line and column.
 Plan read_plan(const std::filesystem::path& file);

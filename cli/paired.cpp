@@ -1,0 +1,302 @@
+#include "cli/paired.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "cli/comparison.h"
+#include "cli/table.h"
+#include "core/error.h"
+
+namespace relock {
+namespace {
+
+constexpr std::string_view kFootnote = R"(
+  Differences are with - without, on the frames that came in both arms; worse, better: the interval holds no zero.
+  error px: medians over Hits of both arms on the same frame, and the median of their differences there.
+  available, all frames: on every recorded frame, so that it shows how old answers grow over the gaps.
+)";
+
+const RunRecord& conditions_of(const StoredComparison& comparison) { return comparison.runs.front().record; }
+
+bool as_recorded(const StoredComparison& comparison) { return conditions_of(comparison).gaps == "none"; }
+
+/// The two arms of a pair: the comparisons that they are in.
+struct Arms {
+  StoredComparison* without;
+  StoredComparison* with;
+};
+
+/// Where among `all` the arm as recorded is.
+std::optional<std::size_t> arm_without(const std::vector<StoredComparison>& all,
+                                       const StoredComparison& with) {
+  const auto key = [](const StoredComparison& c) {
+    const RunRecord& r = conditions_of(c);
+    return std::tie(r.recording, r.fingerprint, r.protocol, r.gate, r.seed);
+  };
+  const auto found = std::find_if(all.begin(), all.end(), [&](const StoredComparison& other) {
+    return as_recorded(other) && key(other) == key(with);
+  });
+  if (found == all.end()) return {};
+  return static_cast<std::size_t>(found - all.begin());
+}
+
+/// Arms of runs that were cut short are compared as far as both go.
+void cut_to(StoredComparison& comparison, std::size_t frames) {
+  comparison.recording = up_to(std::move(comparison.recording), frames);
+  for (StoredRun& run : comparison.runs) run.trajectory.frames.resize(frames);
+}
+
+void make_equally_long(const Arms& arms) {
+  const std::size_t frames = std::min(arms.without->recording.frames(), arms.with->recording.frames());
+  cut_to(*arms.without, frames);
+  cut_to(*arms.with, frames);
+}
+
+const StoredRun* run_of(const StoredComparison& comparison, const std::string& method) {
+  const auto found = std::find_if(comparison.runs.begin(), comparison.runs.end(),
+                                  [&](const StoredRun& run) { return run.record.method == method; });
+  return found == comparison.runs.end() ? nullptr : &*found;
+}
+
+/// The runs of one method in both arms of all pairs.
+std::vector<Pair> pairs_of(const std::vector<Arms>& all, const std::string& method) {
+  std::vector<Pair> pairs;
+  for (const Arms& arms : all) {
+    const StoredRun *without = run_of(*arms.without, method), *with = run_of(*arms.with, method);
+    if (without && with) pairs.push_back({arms.with->recording, without->trajectory, with->trajectory});
+  }
+  return pairs;
+}
+
+template <class Value>
+void add_new(std::vector<Value>& all, const Value& value) {
+  if (std::find(all.begin(), all.end(), value) == all.end()) all.push_back(value);
+}
+
+GapExperiment experiment_on(const std::vector<Arms>& all, const std::optional<std::string>& gate) {
+  const RunRecord& first = conditions_of(*all.front().with);
+  GapExperiment experiment{first.gaps, first.protocol, gate_of(*all.front().with, gate), {}, {}, {}};
+  std::vector<const RunRecord*> methods;
+  for (const Arms& arms : all) {
+    add_new(experiment.recordings, arms.with->recording.name);
+    add_new(experiment.seeds, conditions_of(*arms.with).seed);
+    for (const StoredRun& run : arms.with->runs) {
+      const auto same = [&](const RunRecord* other) { return other->method == run.record.method; };
+      if (std::none_of(methods.begin(), methods.end(), same)) methods.push_back(&run.record);
+    }
+  }
+  std::stable_partition(methods.begin(), methods.end(), [](const RunRecord* r) { return !r->yardstick; });
+  for (const RunRecord* method : methods) {
+    const auto pairs = pairs_of(all, method->method);
+    if (!pairs.empty())
+      experiment.methods.push_back(
+          {method->method, method->yardstick, method->deterministic, cost_of_gaps(pairs, experiment.gate)});
+  }
+  return experiment;
+}
+
+// Text
+
+std::string number(const std::optional<double>& value, int decimals) {
+  return value ? fmt::format("{:.{}f}", *value, decimals) : "n/a";
+}
+
+/// With its sign; what rounds to nothing has none.
+std::string signed_number(const std::optional<double>& value, int decimals) {
+  if (!value) return "n/a";
+  const std::string text = fmt::format("{:+.{}f}", *value, decimals);
+  return text.find_first_of("123456789") == std::string::npos ? text.substr(1) : text;
+}
+
+std::string interval_text(const std::optional<Interval>& interval, int decimals) {
+  if (!interval) return "n/a";
+  return fmt::format("[{}, {}]", signed_number(interval->low, decimals),
+                     signed_number(interval->high, decimals));
+}
+
+std::string mark(int verdict) { return verdict < 0 ? "worse" : verdict > 0 ? "better" : ""; }
+
+void add_score(Table& table, CostScore which, const PairedScore& score, int decimals) {
+  table.add({fmt::format("  {}", to_string(which)), number(score.without, decimals),
+             number(score.with, decimals), signed_number(score.difference, decimals),
+             interval_text(score.interval, decimals), mark(verdict_on(which, score))});
+}
+
+/// An error below the accuracy of the labels says nothing, and neither does its difference.
+void add_error(Table& table, const GapCost& cost) {
+  const PairedScore& score = cost[CostScore::error_px];
+  const double least = 2 * cost.label_sigma_px;
+  const auto below = [&](const std::optional<double>& px) { return px && *px < least; };
+  if (!below(score.without) && !below(score.with)) return add_score(table, CostScore::error_px, score, 2);
+  const auto cell = [&](const std::optional<double>& px) {
+    return below(px) ? fmt::format("<{:.2f}", least) : number(px, 2);
+  };
+  table.add({fmt::format("  {}", to_string(CostScore::error_px)), cell(score.without), cell(score.with),
+             "n/a", "n/a", ""});
+}
+
+void add_method(Table& table, const GapExperiment::MethodCost& method) {
+  const GapCost& cost = method.cost;
+  table.add({method.method, "", "", "", "", ""});
+  add_score(table, CostScore::recognition, cost[CostScore::recognition], 3);
+  add_score(table, CostScore::locked_share, cost[CostScore::locked_share], 3);
+  add_score(table, CostScore::availability, cost[CostScore::availability], 3);
+  table.add({"  available, all frames", number(cost.recorded_availability_without, 3),
+             number(cost.recorded_availability_with, 3), "", "", ""});
+  table.add({"  losses", std::to_string(cost.losses_without), std::to_string(cost.losses_with), "", "", ""});
+  add_score(table, CostScore::losses_per_minute, cost[CostScore::losses_per_minute], 1);
+  add_error(table, cost);
+}
+
+/// Whether nothing differs between the arms; so it is with yardsticks that do not look at pictures.
+bool same_in_both(const GapCost& cost) {
+  return cost.losses_with == cost.losses_without &&
+         std::all_of(cost.scores.begin(), cost.scores.end(),
+                     [](const PairedScore& s) { return s.difference.value_or(0) == 0; });
+}
+
+std::string listed(const std::string& what, std::size_t count, const std::string& items) {
+  return fmt::format("{}{} {}", what, count == 1 ? "" : "s", items);
+}
+
+std::string heading(const GapExperiment& e) {
+  return fmt::format("Cost of the gaps {}: {}, {}, protocol {}, gate {}\n", e.gaps,
+                     fmt::join(e.recordings, ", "),
+                     listed("seed", e.seeds.size(), fmt::format("{}", fmt::join(e.seeds, ", "))),
+                     to_string(e.protocol), to_string(e.gate));
+}
+
+/// How many frames the scores stand on; for each method where resets cut the pairs differently.
+std::string frames_text(const GapExperiment& e) {
+  const auto text = [](const GapCost& cost) {
+    return fmt::format("{} of {} recorded frames came in both arms", cost.common_frames, cost.frames);
+  };
+  const auto cut = [](const GapExperiment::MethodCost& m) { return m.cost.ended_at_reset > 0; };
+  if (std::none_of(e.methods.begin(), e.methods.end(), cut) && !e.methods.empty())
+    return fmt::format("  {}\n", text(e.methods.front().cost));
+  std::string all;
+  for (const auto& m : e.methods)
+    all += fmt::format("  {}: {}{}\n", m.method, text(m.cost),
+                       cut(m) ? fmt::format(" before the first reset ({} of {} pairs have one)",
+                                            m.cost.ended_at_reset, m.cost.pairs)
+                              : "");
+  return all;
+}
+
+// JSON
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json json_of(const PairedScore& score) {
+  return {{"without", json_of(score.without)},
+          {"with", json_of(score.with)},
+          {"difference", json_of(score.difference)},
+          {"interval", score.interval ? Json{score.interval->low, score.interval->high} : Json()}};
+}
+
+Json json_of(const GapExperiment& e, const GapExperiment::MethodCost& m) {
+  Json scores;
+  for (std::size_t i = 0; i < kCostScores; ++i) {
+    std::string name(to_string(static_cast<CostScore>(i)));
+    std::replace(name.begin(), name.end(), ' ', '_');
+    scores[name] = json_of(m.cost.scores[i]);
+  }
+  return {{"gaps", e.gaps},
+          {"protocol", to_string(e.protocol)},
+          {"gate", to_string(e.gate)},
+          {"recordings", e.recordings},
+          {"seeds", e.seeds},
+          {"method", m.method},
+          {"yardstick", m.yardstick},
+          {"deterministic", m.deterministic},
+          {"pairs", m.cost.pairs},
+          {"ended_at_reset", m.cost.ended_at_reset},
+          {"frames", m.cost.frames},
+          {"common_frames", m.cost.common_frames},
+          {"losses", {{"without", m.cost.losses_without}, {"with", m.cost.losses_with}}},
+          {"scores", scores},
+          {"recorded_availability",
+           {{"without", json_of(m.cost.recorded_availability_without)},
+            {"with", json_of(m.cost.recorded_availability_with)}}},
+          {"label_sigma_px", m.cost.label_sigma_px}};
+}
+
+}  // namespace
+
+std::vector<GapExperiment> gap_experiments(std::vector<StoredComparison> comparisons,
+                                           const std::optional<std::string>& gate) {
+  std::map<std::tuple<std::string, Protocol, std::string>, std::vector<Arms>> by_pattern;
+  for (StoredComparison& with : comparisons) {
+    if (as_recorded(with)) continue;
+    const auto without = arm_without(comparisons, with);
+    if (!without) continue;
+    const Arms arms{&comparisons[*without], &with};
+    make_equally_long(arms);
+    const RunRecord& record = conditions_of(with);
+    by_pattern[{record.gaps, record.protocol, record.gate}].push_back(arms);
+  }
+  if (by_pattern.empty())
+    throw Error(
+        "no runs there were made with gaps and as recorded, too, with the same seed; `relock run --gaps "
+        "PATTERN --paired` makes both");
+  std::vector<GapExperiment> experiments;
+  for (const auto& [pattern, arms] : by_pattern) {
+    for (const Arms& pair : arms) make_equally_long(pair);  // a later pattern may have cut the shared arm
+    experiments.push_back(experiment_on(arms, gate));
+  }
+  return experiments;
+}
+
+std::vector<std::string> without_a_pair(const std::vector<StoredComparison>& comparisons) {
+  std::vector<std::string> sentences;
+  for (const StoredComparison& with : comparisons) {
+    const RunRecord& record = conditions_of(with);
+    if (as_recorded(with) || arm_without(comparisons, with)) continue;
+    sentences.push_back(
+        fmt::format("{} with gaps {}, seed {}, protocol {}: there is no run of it as recorded",
+                    record.recording, record.gaps, record.seed, to_string(record.protocol)));
+  }
+  return sentences;
+}
+
+std::string cost_text(const GapExperiment& experiment) {
+  Table table({"", "without", "with", "difference", "95 % interval", ""});
+  std::vector<std::string> same;
+  for (const auto& method : experiment.methods) {
+    if (method.yardstick && same_in_both(method.cost)) {
+      same.push_back(method.method);
+    } else {
+      add_method(table, method);
+    }
+  }
+  std::string text = heading(experiment) + frames_text(experiment) + "\n" + table.text(2);
+  if (!same.empty()) text += fmt::format("  yardsticks without any difference: {}\n", fmt::join(same, ", "));
+  for (const auto& method : experiment.methods)
+    if (!method.deterministic)
+      text += fmt::format("  {} answers differently from run to run: its differences hold that, too\n",
+                          method.method);
+  return text;
+}
+
+std::string cost_json(const std::vector<GapExperiment>& experiments) {
+  Json all = Json::array();
+  for (const GapExperiment& experiment : experiments)
+    for (const auto& method : experiment.methods) all.push_back(json_of(experiment, method));
+  return all.dump(2) + "\n";
+}
+
+void print_cost_of_gaps(std::vector<StoredComparison> comparisons, const std::optional<std::string>& gate) {
+  const auto left_out = without_a_pair(comparisons);
+  for (const GapExperiment& experiment : gap_experiments(std::move(comparisons), gate))
+    fmt::print("{}\n", cost_text(experiment));
+  for (const std::string& sentence : left_out) fmt::print("  left out: {}\n", sentence);
+  fmt::print("{}", kFootnote.substr(1));
+}
+
+}  // namespace relock

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/runs/folder.h"
+#include "eval/paired.h"
+
+namespace relock {
+
+/// What one gap pattern cost the methods: paired over recordings and seeds, by one protocol.
+struct GapExperiment {
+  struct MethodCost {
+    std::string method;
+    bool yardstick = false;
+    bool deterministic = true;
+    GapCost cost;
+  };
+  std::string gaps;
+  Protocol protocol = Protocol::once;
+  Gate gate;
+  std::vector<std::string> recordings;
+  std::vector<std::uint64_t> seeds;
+  std::vector<MethodCost> methods;  ///< yardsticks last
+};
+
+/// The experiments that are whole among `comparisons`: of every gap pattern the runs that were made as
+/// recorded, too, with the same recording, protocol and seed. `gate`: else the one by which resets were judged,
+/// else centre. Throws Error when no run has both arms.
+std::vector<GapExperiment> gap_experiments(std::vector<StoredComparison> comparisons,
+                                           const std::optional<std::string>& gate);
+
+/// Runs with gaps that have no arm as recorded, and so no place in an experiment: a sentence on each.
+std::vector<std::string> without_a_pair(const std::vector<StoredComparison>& comparisons);
+
+/// One table, for people.
+std::string cost_text(const GapExperiment& experiment);
+/// One JSON object for each experiment and method.
+std::string cost_json(const std::vector<GapExperiment>& experiments);
+
+/// Prints the table of every experiment among `comparisons`: `relock cost`, and the end of
+/// `relock run --paired`.
+void print_cost_of_gaps(std::vector<StoredComparison> comparisons, const std::optional<std::string>& gate);
+
+}  // namespace relock

@@ -1,0 +1,104 @@
+#include "cli/paired.h"
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+
+namespace relock {
+namespace {
+
+/// A target that is always visible; one frame a letter at 30 Hz.
+Recording recording_of(std::size_t frames, const std::string& name) {
+  Recording made{name, {640, 360}, period_of(30), {}, {{"target"}}, {}};
+  for (std::size_t i = 0; i < frames; ++i) {
+    made.captured.push_back(Time{static_cast<std::int64_t>(i) * made.period});
+    TargetTruth truth{Label::visible};
+    truth.outline = Box{100, 100, 40, 40};
+    made.truth.push_back(truth);
+  }
+  return made;
+}
+
+/// One method's run: H where the target is, M nothing said, . never came.
+StoredComparison comparison(const std::string& name, const std::string& gaps, std::uint64_t seed,
+                            const std::string& letters, const std::string& method = "mine") {
+  StoredComparison made{{}, recording_of(letters.size(), name), {}};
+  StoredRun run;
+  run.record.recording = name;
+  run.record.method = method;
+  run.record.gaps = gaps;
+  run.record.seed = seed;
+  run.trajectory.judged_from = {0};
+  run.trajectory.failed_from = {{}};
+  for (const char letter : letters) {
+    FrameReport report;
+    if (letter == '.') report.delivery = Delivery::dropped;
+    if (letter == 'H') report.sightings = {sighting_of(Box{100, 100, 40, 40})};
+    run.trajectory.frames.push_back(report);
+  }
+  made.runs.push_back(run);
+  return made;
+}
+
+TEST(GapExperiments, AreOneForEachPatternOverRecordingsAndSeeds) {
+  const auto all =
+      gap_experiments({comparison("a", "none", 1, "HHHHHHHH"), comparison("a", "none", 2, "HHHHHHHH"),
+                       comparison("b", "none", 1, "HHHHHHHH"), comparison("a", "paper", 1, "HH.HHHHH"),
+                       comparison("a", "paper", 2, "HHH.HHHH"), comparison("b", "paper", 1, "H.HMHHHH"),
+                       comparison("a", "fps(15)", 1, "H.H.H.H.")},
+                      {});
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].gaps, "fps(15)");
+  EXPECT_EQ(all[1].gaps, "paper");
+  EXPECT_EQ(all[1].recordings, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(all[1].seeds, (std::vector<std::uint64_t>{1, 2}));
+  const GapCost& cost = all[1].methods.at(0).cost;
+  EXPECT_EQ(cost.pairs, 3u);
+  EXPECT_EQ(cost.frames, 24u);
+  EXPECT_EQ(cost.common_frames, 21u);
+  EXPECT_NEAR(cost[CostScore::recognition].difference.value(), -1.0 / 21, 1e-12);
+}
+
+TEST(GapExperiments, ArePairedWithTheSameSeedOnly) {
+  EXPECT_THROW(gap_experiments({comparison("a", "none", 1, "HHHH"), comparison("a", "paper", 2, "HH.H")}, {}),
+               Error);
+  const auto left_out =
+      without_a_pair({comparison("a", "none", 1, "HHHH"), comparison("a", "paper", 1, "HH.H"),
+                      comparison("a", "paper", 2, "HH.H")});
+  ASSERT_EQ(left_out.size(), 1u);
+  EXPECT_NE(left_out[0].find("seed 2"), std::string::npos) << left_out[0];
+}
+
+TEST(GapExperiments, LeaveOutAMethodThatOneArmDoesNotHave) {
+  auto without = comparison("a", "none", 1, "HHHH"), with = comparison("a", "paper", 1, "HH.H");
+  with.runs.push_back(comparison("a", "paper", 1, "HH.H", "other").runs.front());
+  const auto all = gap_experiments({without, with}, {});
+  ASSERT_EQ(all.at(0).methods.size(), 1u);
+  EXPECT_EQ(all[0].methods[0].method, "mine");
+}
+
+TEST(GapExperiments, CompareRunsThatWereCutShortAsFarAsBothGo) {
+  const auto all =
+      gap_experiments({comparison("a", "none", 1, "HHHHHHHH"), comparison("a", "paper", 1, "HH.HH")}, {});
+  EXPECT_EQ(all.at(0).methods.at(0).cost.frames, 5u);
+}
+
+TEST(CostText, MarksWhatIsWorseAndSaysWhichYardsticksDoNotDiffer) {
+  std::string without, with;
+  for (int n = 0; n < 20; ++n) without += "HHHHHHHHHHHHHHHHHHHHHHHH", with += "HHHHHHHHHHHH...MMMMMHHHH";
+  auto recorded = comparison("a", "none", 1, without), gaps = comparison("a", "paper", 1, with);
+  for (auto* arm : {&recorded, &gaps}) {
+    arm->runs.push_back(comparison("a", arm->runs[0].record.gaps, 1, without, "still").runs.front());
+    arm->runs.back().record.yardstick = true;
+  }
+  for (std::size_t frame = 0; frame < with.size(); ++frame)
+    if (with[frame] == '.') gaps.runs[1].trajectory.frames[frame] = {.delivery = Delivery::dropped};
+  const std::string text = cost_text(gap_experiments({recorded, gaps}, {}).at(0));
+  EXPECT_NE(text.find("420 of 480 recorded frames came in both arms"), std::string::npos) << text;
+  EXPECT_NE(text.find("worse"), std::string::npos) << text;
+  EXPECT_NE(text.find("yardsticks without any difference: still"), std::string::npos) << text;
+  EXPECT_EQ(text.find("better"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace relock
