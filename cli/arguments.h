@@ -16,6 +16,8 @@ struct Arguments {
   RunArguments run;
   ScoreArguments score;
   TimelineArguments timeline;
+  SurvivalArguments survival;
+  AttributeArguments attribute;
   DetectArguments detect;
   ListArguments list;
   InspectArguments inspect;
