@@ -88,6 +88,21 @@ void add_timeline(CLI::App& app, TimelineArguments& a) {
   add_gate(verb, a.gate, "when an answer is a Hit");
 }
 
+void add_survival(CLI::App& app, SurvivalArguments& a) {
+  CLI::App& verb =
+      *app.add_subcommand("survival", "Tell how long methods hold a target that they were given");
+  verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
+  verb.add_flag("--json", a.json, "print it as JSON");
+  add_gate(verb, a.gate, "when an answer is a Hit");
+}
+
+void add_attribute(CLI::App& app, AttributeArguments& a) {
+  CLI::App& verb = *app.add_subcommand("attribute", "Tell what losses go with: gaps, blur, displacement");
+  verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
+  verb.add_flag("--json", a.json, "print it as JSON");
+  add_gate(verb, a.gate, "when an answer is a Hit");
+}
+
 void add_detect(CLI::App& app, DetectArguments& a) {
   CLI::App& verb = *app.add_subcommand("detect", "Look for targets in single pictures");
   verb.add_option("images", a.images, "pictures")->required();
@@ -191,6 +206,8 @@ void add_verbs(CLI::App& app, Arguments& arguments) {
   add_cost(app, arguments.cost);
   add_explain(app, arguments.explain);
   add_timeline(app, arguments.timeline);
+  add_survival(app, arguments.survival);
+  add_attribute(app, arguments.attribute);
   add_detect(app, arguments.detect);
   add_list(app, arguments.list);
   add_inspect(app, arguments.inspect);

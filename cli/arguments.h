@@ -18,6 +18,8 @@ struct Arguments {
   CostArguments cost;
   ExplainArguments explain;
   TimelineArguments timeline;
+  SurvivalArguments survival;
+  AttributeArguments attribute;
   DetectArguments detect;
   ListArguments list;
   InspectArguments inspect;

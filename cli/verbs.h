@@ -68,6 +68,20 @@ struct TimelineArguments {
 };
 int timeline(const TimelineArguments& arguments);
 
+struct SurvivalArguments {
+  std::filesystem::path folder;
+  std::optional<std::string> gate;  ///< else the one by which resets were judged, else centre
+  bool json = false;
+};
+int survival(const SurvivalArguments& arguments);
+
+struct AttributeArguments {
+  std::filesystem::path folder;
+  std::optional<std::string> gate;  ///< else the one by which resets were judged, else centre
+  bool json = false;
+};
+int attribute(const AttributeArguments& arguments);
+
 struct DetectArguments {
   std::vector<std::filesystem::path> images;
   std::string method;

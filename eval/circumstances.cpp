@@ -15,7 +15,12 @@ double border_distance(const Outline& outline, Size picture) {
 
 Circumstances circumstances(const Recording& recording, const Trajectory& trajectory, std::size_t target,
                             const Loss& loss) {
-  const auto arrival = static_cast<std::size_t>(loss.first_lost);
+  return circumstances(recording, trajectory, target, loss.first_lost);
+}
+
+Circumstances circumstances(const Recording& recording, const Trajectory& trajectory, std::size_t target,
+                            FrameIndex arrival_frame) {
+  const auto arrival = static_cast<std::size_t>(arrival_frame);
   std::size_t before = arrival - 1;
   Circumstances found;
   for (; before > 0 && trajectory.frames[before].delivery != Delivery::delivered; --before)

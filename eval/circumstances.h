@@ -22,5 +22,8 @@ struct Circumstances {
 
 Circumstances circumstances(const Recording& recording, const Trajectory& trajectory, std::size_t target,
                             const Loss& loss);
+/// Of the interval that ends at the delivered frame `arrival`, which is not the first.
+Circumstances circumstances(const Recording& recording, const Trajectory& trajectory, std::size_t target,
+                            FrameIndex arrival);
 
 }  // namespace relock

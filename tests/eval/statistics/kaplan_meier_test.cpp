@@ -1,6 +1,8 @@
-#include "eval/survival.h"
+#include "eval/statistics/kaplan_meier.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace relock {
 namespace {
@@ -26,6 +28,28 @@ TEST(KaplanMeier, AgreesWithTheWorkedExampleOfFreireich1963) {
   EXPECT_EQ(estimate.probability_by(36), std::nullopt) << "past the follow-up";
 }
 
+TEST(KaplanMeier, HasTheLimitsThatStataAndRPrintForThatExample) {
+  // `sts list` of Stata and survfit(conf.type = "log-log") of R: Kleinbaum and Klein, Survival Analysis, computer
+  // appendix, "anderson.dta", treatment group.
+  struct Row {
+    double time, low, high;
+  };
+  const KaplanMeier estimate(kFreireich);
+  for (const Row& row :
+       {Row{6, 0.6197, 0.9516}, Row{7, 0.5631, 0.9228}, Row{10, 0.5032, 0.8894}, Row{13, 0.4316, 0.8491},
+        Row{16, 0.3675, 0.8049}, Row{22, 0.2678, 0.7468}, Row{23, 0.1881, 0.6801}}) {
+    const auto interval = estimate.survival_interval(row.time);
+    ASSERT_TRUE(interval) << row.time;
+    EXPECT_NEAR(interval->low, row.low, 5e-5) << row.time;
+    EXPECT_NEAR(interval->high, row.high, 5e-5) << row.time;
+  }
+  EXPECT_EQ(estimate.survival_interval(5), std::nullopt) << "nothing has happened";
+  const auto median = estimate.time_until_interval(0.5);
+  ASSERT_TRUE(median);
+  EXPECT_EQ(median->low, 13);
+  EXPECT_TRUE(std::isinf(median->high));
+}
+
 TEST(KaplanMeier, IsTheShareItselfWhenNothingIsCensored) {
   const KaplanMeier estimate(std::vector<Lifetime>{{1, true}, {2, true}, {3, true}, {4, true}});
   EXPECT_DOUBLE_EQ(estimate.survival(2.5), 0.5);
@@ -36,6 +60,7 @@ TEST(KaplanMeier, IsTheShareItselfWhenNothingIsCensored) {
 TEST(KaplanMeier, KnowsNothingWithoutALoss) {
   const KaplanMeier estimate({});
   EXPECT_EQ(estimate.time_until(0.5), std::nullopt);
+  EXPECT_EQ(estimate.time_until_interval(0.5), std::nullopt);
   EXPECT_EQ(estimate.probability_by(1), std::nullopt);
 }
 

@@ -1,0 +1,97 @@
+// `relock attribute`: what losses come from, or at least go with.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "cli/pooled_runs.h"
+#include "cli/verbs.h"
+#include "eval/attribution.h"
+
+namespace relock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Attribution attribution_of(const PooledRuns& group, const PooledMethod& method) {
+  std::vector<TransitionRun> runs;
+  std::vector<std::string> sequences;
+  for (const auto& [comparison, run, evaluation] : method.runs) {
+    const Recording& recording = comparison->recording;
+    auto sequence = std::find(sequences.begin(), sequences.end(), recording.name);
+    if (sequence == sequences.end()) sequence = sequences.insert(sequence, recording.name);
+    for (std::size_t t = 0; t < recording.targets.size(); ++t)
+      runs.push_back({static_cast<std::size_t>(sequence - sequences.begin()),
+                      transitions(recording, run->trajectory, t, evaluation.targets[t])});
+  }
+  return attribute(runs, group.gaps == "none" ? Gaps::recorded : Gaps::injected);
+}
+
+void print_group(const PooledRuns& group) {
+  fmt::print("{}\n", heading(group));
+  for (const PooledMethod& method : group.methods) {
+    if (method.yardstick) continue;
+    const Attribution found = attribution_of(group, method);
+    fmt::print("  {}: {}\n", method.method, sentence(found));
+    for (const Effect& effect : found.effects) fmt::print("    {}\n", sentence(effect));
+  }
+}
+
+std::string_view name(Effect::Covariate covariate) {
+  switch (covariate) {
+    case Effect::Covariate::injected_slots:
+      return "injected_slots";
+    case Effect::Covariate::other_slots:
+      return "other_slots";
+    case Effect::Covariate::blur:
+      return "blur_tenths_d";
+    case Effect::Covariate::displacement:
+      return "displacement_tenths_d";
+  }
+  return "";
+}
+
+Json group_json(const PooledRuns& group) {
+  Json methods = Json::array();
+  for (const PooledMethod& method : group.methods) {
+    const Attribution found = attribution_of(group, method);
+    Json effects = Json::array();
+    for (const Effect& e : found.effects)
+      effects.push_back({{"covariate", name(e.covariate)},
+                         {"odds_ratio", e.odds_ratio},
+                         {"interval", e.interval ? Json{e.interval->low, e.interval->high} : Json()},
+                         {"claim", e.because ? "because" : "goes with"}});
+    methods.push_back({{"method", method.method},
+                       {"sequences", found.sequences},
+                       {"transitions", found.transitions},
+                       {"losses", found.losses},
+                       {"too_few", found.too_few != TooFew::none},
+                       {"effects", effects}});
+  }
+  return {{"protocol", to_string(group.protocol)},
+          {"gaps", group.gaps},
+          {"gate", to_string(group.gate)},
+          {"methods", methods}};
+}
+
+}  // namespace
+
+int attribute(const AttributeArguments& arguments) {
+  const auto all = read_results(arguments.folder);
+  Json json = Json::array();
+  bool first = true;
+  for (const PooledRuns& group : pooled(all, arguments.gate)) {
+    if (arguments.json) {
+      json.push_back(group_json(group));
+      continue;
+    }
+    if (!first) fmt::print("\n");
+    first = false;
+    print_group(group);
+  }
+  if (arguments.json) fmt::print("{}\n", json.dump(2));
+  return 0;
+}
+
+}  // namespace relock
