@@ -131,7 +131,9 @@ double got10k_overlap(const Box& answer, const Box& truth, Size picture) {
   return clamped(common / (all + std::numeric_limits<double>::epsilon()), 1.0);
 }
 
-double otb_overlap(const Box& answer, const Box& truth) { return intersection_over_union(answer, truth); }
+double otb_overlap(const Box& answer, const Box& truth) {
+  return std::min(1.0, intersection_over_union(answer, truth));
+}
 
 double vot_overlap(const Outline& answer, const Outline& truth, Size picture) {
   const WholeRegion a = whole_region(answer), b = whole_region(truth);

@@ -19,7 +19,8 @@ Outline from_corner(const Outline& outline);
 double got10k_overlap(const Box& answer, const Box& truth, Size picture);
 
 /// OTB toolkit, calcRectInt: boxes of inclusive pixels, so that right edges lie at x + w - 1 and common widths
-/// are one more than differences. The ones cancel: it is the continuous overlap, not bounded by the picture.
+/// are one more than differences. The ones cancel: it is the continuous overlap, not bounded by the picture. (Cut
+/// at 1: the toolkit's own rounding takes equal boxes to a hair above it, which counts as > 1.)
 double otb_overlap(const Box& answer, const Box& truth);
 
 /// VOT toolkit (vot/region/raster.py): single-precision coordinates, rounded to the nearest whole pixel (ties
