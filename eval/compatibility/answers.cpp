@@ -50,6 +50,7 @@ std::optional<AnsweredSequence> answers_for(const Recording& recording, const Tr
     const TargetTruth& truth = recording.truth_of(i, target);
     AnsweredFrame frame{truth.outline, truth.visible_fraction, gives(trajectory.frames[i], target), {}};
     frame.answer = frame.given ? truth.outline : answer_for(recording, trajectory.frames[i], target);
+    frame.judged = trajectory.frames[i].delivery == Delivery::delivered && truth.label == Label::visible;
     sequence.frames.push_back(std::move(frame));
   }
   return sequence;

@@ -82,7 +82,7 @@ std::optional<double> mean_between(const std::vector<double>& curve, std::size_t
 std::optional<std::size_t> failure_between(const AnsweredSequence& sequence, std::size_t start,
                                            std::size_t next, std::size_t skip) {
   for (std::size_t i = start + 1; i < next; ++i)
-    if (overlap(sequence.frames[i], sequence.picture) <= 0) return i;
+    if (sequence.frames[i].judged && overlap(sequence.frames[i], sequence.picture) <= 0) return i;
   if (next == sequence.frames.size()) return {};
   return std::max(start + 1, next - std::min(next, skip));
 }
@@ -100,7 +100,8 @@ std::vector<VotCode> vot_codes(const AnsweredSequence& sequence, const VotOption
     const std::size_t next = start_from(start + 1);
     const auto failure = failure_between(sequence, start, next, options.skip);
     codes[start] = VotCode::start;
-    for (std::size_t i = start + 1; i < failure.value_or(next); ++i) codes[i] = VotCode::region;
+    for (std::size_t i = start + 1; i < failure.value_or(next); ++i)
+      if (sequence.frames[i].judged && sequence.frames[i].answer) codes[i] = VotCode::region;
     if (failure && *failure < next) codes[*failure] = VotCode::failure;
     start = next;
   }

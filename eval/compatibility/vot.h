@@ -19,7 +19,7 @@ struct VotOptions {
 
 /// What VOT's result files say of a frame.
 enum class VotCode : std::uint8_t {
-  nothing,  ///< "0": between a failure and the next start
+  nothing,  ///< "0": between a failure and the next start, and where nothing can be judged, and where nothing can be judged
   start,    ///< "1"
   failure,  ///< "2"
   region,   ///< a region
@@ -41,7 +41,9 @@ struct VotScores {
 
 /// The codes of a run: a start where the box was given; a failure on the first frame after it whose overlap is
 /// 0 (nothing said is no overlap), then nothing up to the next start. A start that no such frame led to means
-/// that whoever ran the method saw a failure `skip` frames before.
+/// that whoever ran the method saw a failure `skip` frames before. Dropped frames, and those on which the target is not
+/// visible, are nothing and no failure; VOT's sequences have none, and its toolkit leaves such codes out of accuracy and
+/// counts them as overlap 0 in the expected overlap.
 std::vector<VotCode> vot_codes(const AnsweredSequence& sequence, const VotOptions& options = {});
 
 VotScores vot_scores(std::span<const AnsweredSequence> sequences, const VotOptions& options = {});

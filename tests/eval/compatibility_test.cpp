@@ -144,6 +144,12 @@ TEST(VotCodes, PutAFailureThatOnlyOthersSawFiveFramesBeforeTheStart) {
   EXPECT_EQ(codes("gHHHHHHHHgH"), "1rrr200001r");
 }
 
+TEST(VotCodes, HaveNothingAndNoFailureWhereNothingCanBeJudged) {
+  AnsweredSequence sequence = answers("gHH.HS");
+  sequence.frames[3].judged = false;
+  EXPECT_EQ(letters_of(vot_codes(sequence)), "1rr0r2");
+}
+
 TEST(VotScores, LeaveOutTheBurnInAfterEveryStart) {
   const VotScores scores =
       vot_scores(std::vector{answers("g" + std::string(9, 'h') + "HHS....g" + std::string(9, 'h') + "H")});
