@@ -18,8 +18,8 @@ struct AnsweredFrame {
   std::optional<Outline> truth;   ///< nothing: absent, or its place is not known
   double visible_fraction = 1.0;  ///< as TargetTruth has it
   bool given = false;             ///< the method was handed the true box here
-  std::optional<Outline>
-      answer;  ///< what the method said; nothing: it said nothing, or the frame was dropped
+  std::optional<Outline> answer;  ///< what the method said; nothing where it said nothing
+  bool judged = true;             ///< delivered, and the target is labelled visible
 };
 
 /// What a method said of one target from the start frame on. The first frame is the one on which its
