@@ -198,6 +198,40 @@ void add_marker(CLI::App& app, MarkerArguments& a) {
   verb.add_flag("--no-caption", a.no_caption, "print no code, size and geometry below");
 }
 
+void add_export(CLI::App& app, ExportArguments& a) {
+  CLI::App& verb = *app.add_subcommand("export", "Write runs as the result files of other toolkits");
+  verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
+  verb.add_option("--as", a.as, "vot, otb, got10k or tum (which evo reads)")->required();
+  verb.add_option("--out", a.out, "the files' folder; it must be empty or not there yet")->required();
+}
+
+void add_import(CLI::App& app, ImportArguments& a) {
+  CLI::App& verb = *app.add_subcommand("import", "Make a run of result files that another toolkit wrote");
+  verb.add_option("files", a.files, "result files, one for each target")->required();
+  verb.add_option("--as", a.as, "vot, otb or got10k")->required();
+  verb.add_option("--sequence", a.sequence, "the recording, or the name of one that relock comes with")
+      ->required();
+  verb.add_option("--method", a.method, "what to call the method")->required();
+  verb.add_option("--target", a.targets, "which target a file is of; repeatable, else all in their order")
+      ->allow_extra_args(false);
+  verb.add_option("--labels", a.labels, "its labels; else labels.csv in the recording's folder");
+  verb.add_option("--rate", a.rate_hz, "nominal rate, Hz; also makes the times of a recording that has none");
+  verb.add_option("--format", a.format, "how the recording is kept on disk; else recognised");
+  verb.add_option("--out", a.out, "folder for the results")->capture_default_str();
+}
+
+void add_compatibility(CLI::App& app, CompatibilityArguments& a) {
+  CLI::App& verb =
+      *app.add_subcommand("compatibility", "Score runs as the toolkits of VOT, OTB, GOT-10k and evo do");
+  verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
+  verb.add_option("--align", a.align, "evo: lay paths over each other first: none, rigid or similarity")
+      ->capture_default_str();
+  verb.add_option("--eao", a.eao_range,
+                  "VOT: shortest and longest fragment of the expected average overlap; else 100 356")
+      ->expected(2);
+  verb.add_flag("--json", a.json, "print scores and curves as JSON");
+}
+
 }  // namespace
 
 void add_verbs(CLI::App& app, Arguments& arguments) {
@@ -216,6 +250,9 @@ void add_verbs(CLI::App& app, Arguments& arguments) {
   add_simulate(app, arguments.simulate);
   add_realism(app, arguments.realism);
   add_marker(app, arguments.marker);
+  add_export(app, arguments.export_results);
+  add_import(app, arguments.import_results);
+  add_compatibility(app, arguments.compatibility);
 }
 
 }  // namespace relock

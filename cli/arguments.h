@@ -28,6 +28,9 @@ struct Arguments {
   SimulateArguments simulate;
   RealismArguments realism;
   MarkerArguments marker;
+  ExportArguments export_results;
+  ImportArguments import_results;
+  CompatibilityArguments compatibility;
   std::vector<std::filesystem::path> plugins;  // of any verb that names methods
 };
 

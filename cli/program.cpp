@@ -67,6 +67,9 @@ int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& met
   if (app.got_subcommand("realism")) return realism(arguments.realism);
   if (app.got_subcommand("new")) return start_new(arguments.start_new, methods);
   if (app.got_subcommand("marker")) return marker(arguments.marker);
+  if (app.got_subcommand("export")) return export_results(arguments.export_results);
+  if (app.got_subcommand("import")) return import_results(arguments.import_results);
+  if (app.got_subcommand("compatibility")) return compatibility(arguments.compatibility);
   return list(arguments.list, methods);
 }
 

@@ -158,4 +158,32 @@ struct MarkerArguments {
 };
 int marker(const MarkerArguments& arguments);
 
+struct ExportArguments {
+  std::filesystem::path folder;
+  std::string as;  ///< vot, otb, got10k or tum
+  std::filesystem::path out;
+};
+int export_results(const ExportArguments& arguments);
+
+struct ImportArguments {
+  std::vector<std::filesystem::path> files;  ///< one for each target
+  std::string as;                            ///< vot, otb or got10k
+  std::filesystem::path sequence;
+  std::optional<std::filesystem::path> labels;
+  std::optional<double> rate_hz;
+  std::optional<std::string> format;  ///< of the recording; else recognised
+  std::vector<std::string> targets;   ///< that the files are of; else all
+  std::string method;
+  std::filesystem::path out = "results";
+};
+int import_results(const ImportArguments& arguments);
+
+struct CompatibilityArguments {
+  std::filesystem::path folder;
+  std::string align = "none";          ///< evo: none, rigid or similarity
+  std::vector<std::size_t> eao_range;  ///< VOT: shortest and longest fragment; else 100 and 356
+  bool json = false;
+};
+int compatibility(const CompatibilityArguments& arguments);
+
 }  // namespace relock

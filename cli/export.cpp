@@ -1,0 +1,97 @@
+// `relock export`: write runs as the result files of other toolkits.
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <set>
+
+#include "cli/benchmark_files.h"
+#include "cli/files.h"
+#include "cli/runs/folder.h"
+#include "cli/verbs.h"
+#include "core/csv.h"
+#include "core/error.h"
+
+namespace relock {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Seconds that each frame took, one a line; 0 where the method was not asked.
+std::string times_text(const fs::path& timing, std::size_t frames) {
+  std::vector<double> seconds(frames, 0.0);
+  std::ifstream in(timing);
+  if (!in) return {};
+  CsvReader rows(in, timing.string());
+  const auto frame = rows.column("frame"), wall = rows.column("wall_ms");
+  while (rows.next()) {
+    const auto i = static_cast<std::size_t>(rows.whole(frame));
+    if (i < frames) seconds[i] = rows.number(wall) / 1e3;
+  }
+  std::string text;
+  for (const double s : seconds) text += fmt::format("{:.8f}\n", s);
+  return text;
+}
+
+/// Writes files below a folder, none twice.
+class Files {
+ public:
+  explicit Files(fs::path out) : out_(std::move(out)) {
+    if (fs::exists(out_) && (!fs::is_directory(out_) || !fs::is_empty(out_)))
+      throw Error(fmt::format("{} is there already; choose another --out or remove it", out_.string()));
+  }
+  void write(const fs::path& path, const std::string& text) {
+    if (!written_.insert(path).second)
+      throw Error(
+          fmt::format("two runs belong in {}, of other gaps, seeds or protocols; export a part of the "
+                      "results, such as RESULTS/RECORDING/recorded-once",
+                      (out_ / path).string()));
+    fs::create_directories((out_ / path).parent_path());
+    write_file(out_ / path, text);
+  }
+  std::size_t count() const { return written_.size(); }
+  bool has(const fs::path& path) const { return written_.contains(path); }
+
+ private:
+  fs::path out_;
+  std::set<fs::path> written_;
+};
+
+void write_run(const StoredComparison& comparison, const StoredRun& run, ResultFormat format, Files& files) {
+  const Recording& recording = comparison.recording;
+  const std::string method = run.folder.filename().string();
+  for (std::size_t t = 0; t < recording.targets.size(); ++t) {
+    const auto sequence = answers_for(recording, run.trajectory, t);
+    if (!sequence) continue;
+    files.write(result_path(format, method, sequence->name), result_text(format, *sequence, recording));
+    if (const auto times = times_path(format, method, sequence->name))
+      files.write(*times, times_text(run.folder / "timing.csv", recording.frames()));
+    const fs::path truth = result_path(format, "truth", sequence->name);
+    if (format == ResultFormat::tum && !files.has(truth)) files.write(truth, tum_truth(*sequence, recording));
+  }
+}
+
+}  // namespace
+
+int export_results(const ExportArguments& arguments) {
+  const ResultFormat format = parse_result_format(arguments.as);
+  const auto all = read_results(arguments.folder);
+  Files files(arguments.out);
+  for (const StoredComparison& comparison : all) {
+    const Protocol protocol = comparison.runs.front().record.protocol;
+    if (!fits(format, protocol)) {
+      fmt::print("left out: {}, protocol {} is not what {} scores\n", comparison.folder.string(),
+                 to_string(protocol), arguments.as);
+      continue;
+    }
+    for (const StoredRun& run : comparison.runs) write_run(comparison, run, format, files);
+  }
+  if (files.count() == 0)
+    throw Error(fmt::format("no run below {} can be written as {}: it is for runs of protocol {}",
+                            arguments.folder.string(), arguments.as,
+                            format == ResultFormat::vot ? "vot" : "once or detect"));
+  fmt::print("{} files in {}\n", files.count(), arguments.out.string());
+  return 0;
+}
+
+}  // namespace relock

@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# Runs go out as the result files of other toolkits and come back with the same scores.
+# Usage: compatibility_test.sh RELOCK      from the project's root
+set -uo pipefail
+source tests/scripts/expect.sh
+relock=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+row_of() { awk -v method="$1" '$1 == method {$1 = $1; print}' <<<"$2"; }  # METHOD TABLES
+# Without the ninth column, confidence, which result files do not have.
+boxes_of() { cut -d , -f 1-8,10- "$1/klahaag/recorded-once/template/trajectory.csv"; }  # RESULTS
+
+"$relock" run --sequence klahaag --methods template --out "$work/results" >"$work/said" 2>&1
+expect "run" 0 $?
+own=$("$relock" compatibility "$work/results" 2>&1)
+expect "compatibility" 0 $?
+expect "three tables have template" 3 "$(row_of template "$own" | wc -l)"
+
+for toolkit in otb got10k tum; do
+  "$relock" export "$work/results" --as $toolkit --out "$work/$toolkit" >"$work/said" 2>&1
+  expect "export as $toolkit" 0 $?
+done
+expect "a line for each frame" 53 "$(wc -l <"$work/otb/template/klahaag.txt")"
+expect "a time for each frame" 53 "$(wc -l <"$work/got10k/template/klahaag/klahaag_time.txt")"
+expect "no line for the given frame" 52 "$(wc -l <"$work/tum/template/klahaag.txt")"
+expect "the truth beside it" 53 "$(wc -l <"$work/tum/truth/klahaag.txt")"
+expect_contains "a mute method" "0,0,0,0" "$(tail -n 1 "$work/otb/mute/klahaag.txt")"
+
+for toolkit in otb got10k; do
+  file=$(find "$work/$toolkit/template" -name 'klahaag*.txt' ! -name '*_time*')
+  "$relock" import "$file" --as $toolkit --sequence klahaag --method template --out "$work/$toolkit-back" >"$work/said" 2>&1
+  expect "import as $toolkit" 0 $?
+  back=$("$relock" compatibility "$work/$toolkit-back" 2>&1)
+  expect "$toolkit: the same scores" "$(row_of template "$own")" "$(row_of template "$back")"
+  expect "$toolkit: the same boxes" "$(boxes_of "$work/results")" "$(boxes_of "$work/$toolkit-back")"
+done
+expect_contains "imported runs are scored on time" "template" "$("$relock" score "$work/otb-back" 2>&1)"
+
+# Protocol vot, there and back.
+"$relock" run --sequence klahaag --methods still --protocol vot --out "$work/supervised" >"$work/said" 2>&1
+if [[ $? == 0 ]]; then
+  "$relock" export "$work/supervised" --as vot --out "$work/vot" >"$work/said" 2>&1
+  expect "export as vot" 0 $?
+  codes=$(grep -cx 2 "$work/vot/still/baseline/klahaag/klahaag_001.txt")
+  "$relock" import "$work/vot/still/baseline/klahaag/klahaag_001.txt" --as vot --sequence klahaag --method still \
+    --out "$work/vot-back" >"$work/said" 2>&1
+  expect "import as vot" 0 $?
+  own=$("$relock" compatibility "$work/supervised" --eao 5 20 2>&1)
+  back=$("$relock" compatibility "$work/vot-back" --eao 5 20 2>&1)
+  expect "vot: failures are those of the file" "$codes" "$(awk '$1 == "still" {print $4; exit}' <<<"$own")"
+  expect "vot: the same scores" "$(row_of still "$own" | head -n 1)" "$(row_of still "$back" | head -n 1)"
+fi
+
+# What cannot be.
+said=$("$relock" export "$work/results" --as vot --out "$work/none" 2>&1)
+expect "a run of protocol once as vot: exit status" 2 $?
+expect_contains "a run of protocol once as vot" "it is for runs of protocol vot" "$said"
+said=$("$relock" export "$work/results" --as votr --out "$work/none" 2>&1)
+expect_contains "an unknown format" 'did you mean "vot"' "$said"
+said=$("$relock" export "$work/results" --as otb --out "$work/otb" 2>&1)
+expect_contains "a folder that is there" "is there already" "$said"
+head -n 50 "$work/otb/template/klahaag.txt" >"$work/short.txt"
+said=$("$relock" import "$work/short.txt" --as otb --sequence klahaag --method x --out "$work/none" 2>&1)
+expect "too few lines: exit status" 2 $?
+expect_contains "too few lines" "there are 50 lines for the 53 pictures of klahaag" "$said"
+sed '7s/.*/1,2,3/' "$work/otb/template/klahaag.txt" >"$work/three.txt"
+said=$("$relock" import "$work/three.txt" --as otb --sequence klahaag --method x --out "$work/none" 2>&1)
+expect_contains "three numbers" "three.txt:7: a box is x, y, width, height; there are 3" "$said"
+said=$("$relock" import "$work/otb/template/klahaag.txt" --as otb --sequence klahaag-prints --method x --out "$work/none" 2>&1)
+expect_contains "one file for three targets" "name theirs with --target" "$said"
+said=$("$relock" import "$work/tum/template/klahaag.txt" --as tum --sequence klahaag --method x --out "$work/none" 2>&1)
+expect_contains "a path has no boxes" "cannot be imported" "$said"
+said=$("$relock" compatibility "$work/results" --eao 300 100 2>&1)
+expect_contains "a range that is none" "no range of lengths" "$said"
+finish
