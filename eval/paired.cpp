@@ -7,10 +7,9 @@
 #include <string>
 
 #include "eval/common_frames.h"
-#include "eval/definitions.h"
+#include "eval/contribution.h"
 #include "eval/localization.h"
 #include "eval/statistics/ratio.h"
-#include "eval/visible_time.h"
 
 namespace relock {
 namespace {
@@ -37,62 +36,24 @@ void lengthen(Ratios& ratios, std::size_t frames) {
   }
 }
 
-void add_recognition(const Recording& recording, std::size_t target, const TargetTimeline& timeline,
-                     RatioSeries& sums) {
-  for (std::size_t frame = 0; frame < recording.frames(); ++frame) {
-    const Verdict verdict = timeline.judgements[frame].verdict;
-    if (!could_hit(recording.truth_of(frame, target), verdict)) continue;
-    sums.whole[frame] += 1;
-    sums.part[frame] += verdict == Verdict::Hit ? 1 : 0;
-  }
-}
-
-std::vector<Time> times_of_hits(const Recording& recording, const TargetTimeline& timeline) {
-  std::vector<Time> hits;
-  for (std::size_t frame = 0; frame < recording.frames(); ++frame)
-    if (timeline.judgements[frame].verdict == Verdict::Hit) hits.push_back(recording.captured[frame]);
-  return hits;
-}
-
-/// The part of one interval at which the newest Hit is fresh.
-Duration fresh_part(const VisibleInterval& interval, const std::vector<Time>& hits) {
-  auto hit = std::upper_bound(hits.begin(), hits.end(), interval.from);
-  if (hit != hits.begin()) --hit;
-  Duration fresh{0};
-  for (; hit != hits.end() && *hit < interval.to; ++hit) {
-    const Time next = hit + 1 == hits.end() ? interval.to : std::min(*(hit + 1), interval.to);
-    fresh += std::max(Duration{0}, std::min(*hit + kFreshFix, next) - std::max(*hit, interval.from));
-  }
-  return fresh;
-}
-
-void add_availability(const Recording& recording, std::size_t target, const TargetTimeline& timeline,
-                      RatioSeries& sums) {
-  const auto hits = times_of_hits(recording, timeline);
-  for (const VisibleInterval& interval : visible_time(recording, target, timeline.judgements)) {
-    sums.part[interval.frame] += seconds(fresh_part(interval, hits));
-    sums.whole[interval.frame] += seconds(interval.to - interval.from);
-  }
-}
-
-void add_locks_and_losses(const Recording& recording, std::size_t target, const TargetTimeline& timeline,
-                          Ratios& sums) {
-  RatioSeries &locked = of(sums, CostScore::locked_share), &losses = of(sums, CostScore::losses_per_minute);
-  for (const VisibleInterval& interval : visible_time(recording, target, timeline.judgements)) {
-    const double length_s = seconds(interval.to - interval.from);
-    const double locked_s = timeline.states[interval.frame] == State::Locked ? length_s : 0;
-    locked.whole[interval.frame] += length_s;
-    locked.part[interval.frame] += locked_s;
-    losses.whole[interval.frame] += locked_s / 60;
-  }
-  for (const Loss& loss : timeline.losses) losses.part[static_cast<std::size_t>(loss.last_good)] += 1;
+/// What one frame adds to the scores.
+void add_frame(const Contribution& frame, std::size_t at, Ratios& sums) {
+  const auto add = [&](CostScore score, double part, double whole) {
+    of(sums, score).part[at] += part;
+    of(sums, score).whole[at] += whole;
+  };
+  add(CostScore::recognition, static_cast<double>(frame.hits), static_cast<double>(frame.could_hit));
+  add(CostScore::locked_share, seconds(frame.locked), seconds(frame.visible));
+  add(CostScore::availability, seconds(frame.fresh), seconds(frame.visible));
+  add(CostScore::losses_per_minute, 0, seconds(frame.locked) / 60);
 }
 
 void add_arm(const Recording& recording, const Evaluation& evaluation, Ratios& sums) {
   for (std::size_t t = 0; t < recording.targets.size(); ++t) {
-    add_recognition(recording, t, evaluation.targets[t], of(sums, CostScore::recognition));
-    add_availability(recording, t, evaluation.targets[t], of(sums, CostScore::availability));
-    add_locks_and_losses(recording, t, evaluation.targets[t], sums);
+    const auto frames = contributions(recording, evaluation, t);
+    for (std::size_t frame = 0; frame < frames.size(); ++frame) add_frame(frames[frame], frame, sums);
+    for (const Loss& loss : evaluation.targets[t].losses)
+      of(sums, CostScore::losses_per_minute).part[static_cast<std::size_t>(loss.last_good)] += 1;
   }
 }
 
@@ -133,12 +94,12 @@ void add_pair(const Pair& pair, const Gate& gate, SequenceSums& sums, GapCost& c
 
 void add_recorded_availability(const Recording& recording, const Trajectory& arm, const Gate& gate,
                                RatioSeries& sum) {
-  RatioSeries all{std::vector<double>(recording.frames()), std::vector<double>(recording.frames())};
   const Evaluation evaluation = evaluate(recording, arm, gate);
+  Contribution all;
   for (std::size_t t = 0; t < recording.targets.size(); ++t)
-    add_availability(recording, t, evaluation.targets[t], all);
-  sum.part.push_back(std::accumulate(all.part.begin(), all.part.end(), 0.0));
-  sum.whole.push_back(std::accumulate(all.whole.begin(), all.whole.end(), 0.0));
+    for (const Contribution& frame : contributions(recording, evaluation, t)) all += frame;
+  sum.part.push_back(seconds(all.fresh));
+  sum.whole.push_back(seconds(all.visible));
 }
 
 // Scores
