@@ -76,12 +76,12 @@ class Run {
       : method_(method),
         recording_(recording),
         options_(options),
-        starts_(first_startable(recording)),
+        starts_(first_startable(recording, options.from)),
         watches_(recording.targets.size(), LockWatch(recording.period)),
         restart_due_(recording.targets.size(), false) {
     Trajectory& trajectory = result_.trajectory;
     trajectory.reads_codes = options.reads_codes;
-    trajectory.judged_from = judged_from(recording, options.protocol, method.takes_boxes(), options.asked);
+    trajectory.judged_from = judged_from(recording, options, method.takes_boxes());
     trajectory.failed_from.resize(targets());
   }
 
@@ -96,7 +96,14 @@ class Run {
     add(std::move(report));
   }
 
-  void drop() { add(FrameReport{Delivery::dropped, {}, {}}); }
+  void drop() { add({.delivery = Delivery::dropped}); }
+  /// Whether the protocol keeps the frame from the method altogether.
+  bool withholds(FrameIndex frame) const { return frame < options_.from; }
+  void withhold() {
+    FrameReport report;
+    for (std::size_t t = 0; t < targets(); ++t) report.withheld.push_back(t);
+    add(std::move(report));
+  }
   void cut_short(Failure why) { result_.cut_short = std::move(why); }
   Replay result() && { return std::move(result_); }
 
@@ -188,14 +195,15 @@ class Run {
 }  // namespace
 
 std::string_view to_string(Protocol protocol) {
-  constexpr std::string_view names[] = {"once", "reset", "detect"};
+  constexpr std::string_view names[] = {"once", "reset", "multistart", "detect"};
   return names[static_cast<std::size_t>(protocol)];
 }
 
 Protocol parse_protocol(std::string_view text) {
-  for (const Protocol protocol : {Protocol::once, Protocol::reset, Protocol::detect})
+  for (const Protocol protocol : {Protocol::once, Protocol::reset, Protocol::multistart, Protocol::detect})
     if (text == to_string(protocol)) return protocol;
-  throw Error(fmt::format("no protocol is called \"{}\"; there are once, reset and detect", text));
+  throw Error(
+      fmt::format("no protocol is called \"{}\"; there are once, reset, multistart and detect", text));
 }
 
 bool startable(const Recording& recording, std::size_t frame, std::size_t target) {
@@ -206,23 +214,23 @@ bool startable(const Recording& recording, std::size_t frame, std::size_t target
          box.bottom() <= picture.bottom();
 }
 
-std::vector<std::optional<FrameIndex>> first_startable(const Recording& recording) {
+std::vector<std::optional<FrameIndex>> first_startable(const Recording& recording, FrameIndex from) {
   std::vector<std::optional<FrameIndex>> first(recording.targets.size());
   for (std::size_t t = 0; t < first.size(); ++t)
-    for (std::size_t frame = 0; frame < recording.frames() && !first[t]; ++frame)
+    for (auto frame = static_cast<std::size_t>(from); frame < recording.frames() && !first[t]; ++frame)
       if (startable(recording, frame, t)) first[t] = static_cast<FrameIndex>(frame);
   return first;
 }
 
-std::vector<std::optional<FrameIndex>> judged_from(const Recording& recording, Protocol protocol,
-                                                   bool takes_boxes, const std::vector<bool>& asked) {
-  auto from = first_startable(recording);
+std::vector<std::optional<FrameIndex>> judged_from(const Recording& recording, const ReplayOptions& options,
+                                                   bool takes_boxes) {
+  auto from = first_startable(recording, options.from);
   for (std::size_t t = 0; t < from.size(); ++t) {
-    if (protocol == Protocol::detect) from[t] = 0;
+    if (options.protocol == Protocol::detect) from[t] = 0;
     // The start frame is left out for methods that are handed no box, too: they are judged from the next one.
     else if (from[t] && !takes_boxes)
       ++*from[t];
-    if (!asked.empty() && !asked[t]) from[t].reset();
+    if (!options.asked.empty() && !options.asked[t]) from[t].reset();
   }
   return from;
 }
@@ -244,6 +252,10 @@ Replay replay(Method& method, FrameSource& source, const Recording& recording, c
   while (const auto stamp = source.next()) {
     if (!schedule.delivered(static_cast<std::size_t>(stamp->index))) {
       run.drop();
+      continue;
+    }
+    if (run.withholds(stamp->index)) {
+      run.withhold();
       continue;
     }
     Image image;

@@ -51,6 +51,14 @@ std::string gaps_slug(const RunRecord& record) {
   return fmt::format("{}-s{}", slug(text), record.seed);
 }
 
+/// "multistart-0050-backward".
+std::string protocol_slug(const RunRecord& record) {
+  std::string text(to_string(record.protocol));
+  if (record.anchor)
+    text += fmt::format("-{:04}-{}", record.anchor->frame, to_string(record.anchor->direction));
+  return text;
+}
+
 std::string timing_csv(const std::vector<FrameCost>& costs) {
   std::string text = "frame,wall_ms,cpu_ms\n";
   for (const FrameCost& cost : costs)
@@ -140,12 +148,18 @@ std::vector<fs::path> runs_in(const fs::path& comparison) {
   return runs;
 }
 
+/// Runs of one comparison were all played the same way.
+Recording as_played(Recording recorded, const std::vector<fs::path>& run_folders) {
+  const auto anchor = read_record(run_folders.front() / "run.json").anchor;
+  return anchor && anchor->direction == Direction::backward ? reflected(recorded) : std::move(recorded);
+}
+
 StoredComparison read_comparison(const fs::path& folder, std::vector<fs::path> run_folders) {
   const fs::path truth = truth_folder(folder);
   if (!fs::exists(truth))
     throw Error(
         fmt::format("{} is missing: runs cannot be scored without the truth beside them", truth.string()));
-  StoredComparison comparison{folder, read_truth(truth), {}};
+  StoredComparison comparison{folder, as_played(read_truth(truth), run_folders), {}};
   std::sort(run_folders.begin(), run_folders.end());
   for (const fs::path& run : run_folders) comparison.runs.push_back(read_run(run, comparison.recording));
   for (const StoredRun& run : comparison.runs)
@@ -217,7 +231,7 @@ void store_truth(const fs::path& out, const Recording& recording, const std::str
 }
 
 fs::path run_folder(const fs::path& out, const RunRecord& record) {
-  return out / slug(record.recording) / fmt::format("{}-{}", gaps_slug(record), to_string(record.protocol)) /
+  return out / slug(record.recording) / fmt::format("{}-{}", gaps_slug(record), protocol_slug(record)) /
          slug(record.method);
 }
 

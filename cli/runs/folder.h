@@ -28,7 +28,7 @@ struct StoredRun {
 /// All runs on one recording with the same gaps and protocol: what may stand in one table.
 struct StoredComparison {
   std::filesystem::path folder;
-  Recording recording;
+  Recording recording;          ///< as it was played
   std::vector<StoredRun> runs;  ///< by name; yardsticks last
 };
 
