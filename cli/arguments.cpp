@@ -33,6 +33,14 @@ void add_run(CLI::App& app, RunArguments& a) {
                   "periodic(n,k), trace(file) or fps(n)");
   verb.add_option("--seed", a.seed, "of everything drawn at random; else 1");
   add_gate(verb, a.gate, "protocol reset: when an answer is a Hit");
+  verb.add_option(
+      "--real-time", a.real_time,
+      "frames arrive at their capture times, and a method that is busy misses frames: latest (the newest "
+      "waits) or queue(n)");
+  verb.add_option(
+      "--latency", a.latency,
+      "real time: what an answer takes; measured (if none is given), constant(20ms), or a file with "
+      "columns frame and wall_ms");
   verb.add_option("--out", a.out, "folder for the results; else results");
   verb.add_option("--jobs,-j", a.jobs,
                   "runs at a time; the results are the same for any number, their timing is not")

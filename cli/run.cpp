@@ -22,7 +22,7 @@ constexpr int kMethodFailed = 1, kInputAtFault = 2, kInterrupted = 130;
 Plan plan_of(const RunArguments& arguments) {
   const bool described = arguments.sequence || arguments.methods || arguments.gaps || arguments.protocol ||
                          arguments.seed || arguments.gate || arguments.labels || arguments.rate_hz ||
-                         arguments.format || arguments.topic;
+                         arguments.format || arguments.topic || arguments.real_time || arguments.latency;
   if (arguments.plan && described)
     throw Error("a plan says what to run; beside it only --out, --jobs and --dry-run may be given");
   if (!arguments.plan && !arguments.methods)
@@ -37,6 +37,10 @@ Plan plan_of(const RunArguments& arguments) {
     if (arguments.gaps) plan.gaps = {*arguments.gaps};
     if (arguments.protocol) plan.protocols = {parse_protocol(*arguments.protocol)};
     if (arguments.seed) plan.seeds = {*arguments.seed};
+    if (arguments.latency && !arguments.real_time)
+      throw Error("--latency needs --real-time latest or queue(n) beside it");
+    if (arguments.real_time)
+      plan.real_time = parse_real_time(*arguments.real_time, arguments.latency.value_or("measured"));
     if (arguments.gate) plan.gate = parse_gate(*arguments.gate);
   }
   if (arguments.out) plan.out = *arguments.out;

@@ -7,6 +7,7 @@
 
 #include "cli/comparison.h"
 #include "cli/files.h"
+#include "cli/real_time.h"
 #include "cli/score_json.h"
 #include "cli/table.h"
 #include "cli/verbs.h"
@@ -130,6 +131,7 @@ int score(const ScoreArguments& arguments) {
     const std::size_t targets = compared.stored.recording.targets.size();
     for (std::size_t t = 0; t < targets; ++t) print_target(compared, t);
     if (targets > 1) print_pooled(compared);
+    print_real_time(compared);
     print_remarks(compared);
   }
   if (arguments.json) {

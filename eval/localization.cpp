@@ -93,7 +93,8 @@ double percentile(std::vector<double> values, double share) {
   const auto below = static_cast<std::size_t>(place);
   const std::size_t above = std::min(below + 1, values.size() - 1);
   const double part = place - static_cast<double>(below);
-  return values[below] + part * (values[above] - values[below]);
+  // A value that is infinite counts only where it has a part.
+  return part > 0 ? values[below] + part * (values[above] - values[below]) : values[below];
 }
 
 }  // namespace relock

@@ -72,13 +72,15 @@ std::string sentence_of_what_was_thrown() {
 /// One replay: which targets are started when, and what was said.
 class Run {
  public:
-  Run(Method& method, const Recording& recording, const ReplayOptions& options)
+  Run(Method& method, const Recording& recording, const Schedule& schedule, const ReplayOptions& options)
       : method_(method),
         recording_(recording),
         options_(options),
         starts_(first_startable(recording, options.from)),
         watches_(recording.targets.size(), LockWatch(recording.period)),
+        started_(recording.targets.size(), false),
         restart_due_(recording.targets.size(), false) {
+    if (options.real_time) clock_.emplace(recording.captured, schedule, options.real_time->waiting);
     Trajectory& trajectory = result_.trajectory;
     trajectory.reads_codes = options.reads_codes;
     trajectory.judged_from = judged_from(recording, options, method.takes_boxes());
@@ -93,10 +95,14 @@ class Run {
     start(frame, report.given);
     ask(frame, report);
     result_.costs.push_back(watch.cost(frame.index));
+    if (clock_) note_answer(result_.costs.back());
     add(std::move(report));
   }
 
   void drop() { add({.delivery = Delivery::dropped}); }
+  /// Whether the method is busy until the frame's place is taken.
+  bool misses(FrameIndex frame) const { return clock_ && !clock_->comes_to(frame); }
+  void skip() { add({.delivery = Delivery::skipped}); }
   /// Whether the protocol keeps the frame from the method altogether.
   bool withholds(FrameIndex frame) const { return frame < options_.from; }
   void withhold() {
@@ -114,7 +120,8 @@ class Run {
 
   bool start_is_due(std::size_t t, FrameIndex frame) const {
     if (!asked(t) || failed(t) || !starts_[t]) return false;
-    if (frame == *starts_[t]) return true;
+    if (!started_[t])
+      return frame >= *starts_[t] && startable(recording_, static_cast<std::size_t>(frame), t);
     return options_.protocol == Protocol::reset && restart_due_[t] &&
            startable(recording_, static_cast<std::size_t>(frame), t);
   }
@@ -128,6 +135,7 @@ class Run {
 
   void start(const Frame& frame, const std::vector<std::size_t>& due) {
     for (const std::size_t t : due) {
+      started_[t] = true;
       restart_due_[t] = false;
       const auto& truth = recording_.truth_of(static_cast<std::size_t>(frame.index), t);
       try {
@@ -150,6 +158,14 @@ class Run {
       for (std::size_t t = 0; t < targets(); ++t) mark_failed(t, frame.index);
       result_.failures.push_back({frame.index, sentence_of_what_was_thrown()});
     }
+  }
+
+  void note_answer(const FrameCost& cost) {
+    const bool nothing_to_do =
+        hands_boxes() && std::find(started_.begin(), started_.end(), true) == started_.end();
+    const Duration latency = options_.real_time->latency.of(cost.frame, cost.wall);
+    const Answer answer = clock_->answered(cost.frame, nothing_to_do || all_failed() ? Duration{0} : latency);
+    if (!all_failed()) result_.answers.push_back(answer);
   }
 
   bool failed(std::size_t t) const { return result_.trajectory.failed_from[t].has_value(); }
@@ -188,6 +204,8 @@ class Run {
   const ReplayOptions& options_;
   std::vector<std::optional<FrameIndex>> starts_;
   std::vector<LockWatch> watches_;
+  std::optional<VirtualClock> clock_;  // real time
+  std::vector<bool> started_;
   std::vector<bool> restart_due_;  // protocol reset: a loss was declared and not yet answered
   Replay result_;
 };
@@ -248,7 +266,7 @@ void fail_from(Trajectory& trajectory, FrameIndex frame, const std::vector<std::
 
 Replay replay(Method& method, FrameSource& source, const Recording& recording, const Schedule& schedule,
               const ReplayOptions& options) {
-  Run run(method, recording, options);
+  Run run(method, recording, schedule, options);
   while (const auto stamp = source.next()) {
     if (!schedule.delivered(static_cast<std::size_t>(stamp->index))) {
       run.drop();
@@ -256,6 +274,10 @@ Replay replay(Method& method, FrameSource& source, const Recording& recording, c
     }
     if (run.withholds(stamp->index)) {
       run.withhold();
+      continue;
+    }
+    if (run.misses(stamp->index)) {
+      run.skip();
       continue;
     }
     Image image;

@@ -10,6 +10,7 @@
 #include "core/frame_source.h"
 #include "core/method.h"
 #include "core/schedule.h"
+#include "eval/real_time.h"
 #include "eval/verdict.h"
 
 namespace relock {
@@ -46,7 +47,8 @@ struct Failure {
 
 struct Replay {
   Trajectory trajectory;
-  std::vector<FrameCost> costs;   ///< of every delivered frame that the method was asked about
+  std::vector<FrameCost> costs;   ///< of every frame that the method was asked about
+  std::vector<Answer> answers;    ///< real time: of every frame that it answered
   std::vector<Failure> failures;  ///< of a start (its target only) or an answer (all targets, for good)
   /// The recording itself could not be read on from here: the trajectory ends before this frame.
   std::optional<Failure> cut_short;
@@ -58,6 +60,10 @@ struct ReplayOptions {
   bool reads_codes = false;  ///< as the method's registry entry declares
   std::vector<bool> asked;   ///< targets that the method is asked about; empty: all
   FrameIndex from = 0;       ///< frames before this one are withheld: where the run's anchor is
+  /// Frames arrive in real time, and those for which the method is busy are Skipped. The first start of a target is
+  /// then on the first startable frame that the method comes to; before it is started on any, looking takes no time.
+  /// A method that has failed is not busy.
+  std::optional<RealTime> real_time = {};
   /// Called before a frame is shown, with the targets whose box is handed over in it; if given.
   std::function<void(FrameIndex, const std::vector<std::size_t>& given)> asking;
   /// Called after every recorded frame with all that was said up to it, if given.

@@ -18,6 +18,7 @@
 
 #include "cli/files.h"
 #include "core/error.h"
+#include "eval/answers_csv.h"
 #include "eval/trajectory_csv.h"
 #include "sequences/open.h"
 
@@ -51,11 +52,12 @@ std::string gaps_slug(const RunRecord& record) {
   return fmt::format("{}-s{}", slug(text), record.seed);
 }
 
-/// "multistart-0050-backward".
+/// "multistart-0050-backward", "once-latest-constant-20ms".
 std::string protocol_slug(const RunRecord& record) {
   std::string text(to_string(record.protocol));
   if (record.anchor)
     text += fmt::format("-{:04}-{}", record.anchor->frame, to_string(record.anchor->direction));
+  if (!record.real_time.empty()) text += fmt::format("-{}-{}", slug(record.real_time), slug(record.latency));
   return text;
 }
 
@@ -116,6 +118,11 @@ StoredRun read_run(const fs::path& folder, const Recording& recording) {
   if (run.trajectory.frames.size() < recording.frames() && !run.record.cut_short)
     throw Error(fmt::format("{} ends at frame {} of {}; it was cut off: remove its folder and run again",
                             path.string(), run.trajectory.frames.size(), recording.frames()));
+  if (!run.record.real_time.empty()) {
+    const fs::path answers = folder / "answers.csv";
+    std::istringstream rows(read_file(answers));
+    run.answers = read_answers(rows, answers.string(), recording);
+  }
   return run;
 }
 
@@ -253,6 +260,11 @@ void store_run(const fs::path& folder, const FinishedRun& run) {
   try {
     write_file(draft / "trajectory.csv", run.trajectory);
     write_file(draft / "timing.csv", timing_csv(run.costs));
+    if (!run.record.real_time.empty()) {
+      std::ostringstream answers;
+      write_answers(answers, run.answers);
+      write_file(draft / "answers.csv", answers.str());
+    }
     write_file(draft / "run.json", to_json_text(run.record));
   } catch (const Error&) {
     std::error_code ignored;

@@ -82,9 +82,13 @@ std::vector<Condition> conditions(const Plan& plan, const std::vector<Sequence>&
       for (const Protocol protocol : plan.protocols)
         for (const std::uint64_t seed : plan.seeds) {
           const Condition condition{
-              s,         pattern.text(),
-              protocol,  seed,
-              plan.gate, pattern.apply(recording.captured, recording.period, seed, start_frames(recording))};
+              s,
+              pattern.text(),
+              protocol,
+              seed,
+              plan.gate,
+              pattern.apply(recording.captured, recording.period, seed, start_frames(recording)),
+              plan.real_time};
           if (protocol == Protocol::multistart) {
             add_anchored(all, condition, recording, pattern);
           } else {
@@ -143,10 +147,26 @@ RunRecord record_of(const Matrix& matrix, const PlannedRun& run, const std::stri
   record.seed = condition.seed;
   record.protocol = condition.protocol;
   if (condition.protocol == Protocol::reset) record.gate = to_string(condition.gate);
+  if (condition.real_time) {
+    record.real_time = to_string(condition.real_time->waiting);
+    record.latency = condition.real_time->latency.text;
+  }
   record.yardstick = run.method.yardstick;
   record.reads_codes = run.method.reads_codes;
-  record.deterministic = run.method.deterministic;
+  const bool measured = condition.real_time && condition.real_time->latency.kind == Latency::Kind::measured;
+  record.deterministic = run.method.deterministic && !measured;
   return record;
+}
+
+/// Throws Error when a protocol has no real time.
+void check_real_time(const Plan& plan) {
+  if (!plan.real_time) return;
+  for (const Protocol protocol : plan.protocols)
+    if (protocol == Protocol::multistart)
+      throw Error(
+          fmt::format("protocol {} has no real time: half of its runs go backward in time; use once, "
+                      "reset or detect, or leave out real time",
+                      to_string(protocol)));
 }
 
 /// Adds the runs of one condition. `fits`: for each method, whether it was found to fit anywhere.
@@ -191,6 +211,7 @@ void settle_folders(Matrix& matrix, const Plan& plan) {
 }  // namespace
 
 Matrix multiply_out(const Plan& plan, const Methods& methods) {
+  check_real_time(plan);
   const auto chosen = chosen_methods(plan, methods);
   for (const std::string& text : plan.gaps) GapPattern::parse(text);  // told before anything is opened
   Matrix matrix;

@@ -23,7 +23,8 @@ struct Condition {
   Protocol protocol = Protocol::once;
   std::uint64_t seed = 1;
   Gate gate = {};
-  Schedule schedule;                  ///< of the frames as they are played
+  Schedule schedule;  ///< of the frames as they are played
+  std::optional<RealTime> real_time = {};
   std::optional<Anchor> anchor = {};  ///< protocol multistart
 };
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,8 @@ struct RunLimits {
 ///     protocols = ["once", "reset"]                   # else once
 ///     seeds = [1, 2, 3]                               # else 1
 ///     gate = "centre"                                 # by which protocol reset judges losses
+///     real_time = "latest"                            # or "queue(3)"; else a method may take all the time it wants
+///     latency = "constant(20ms)"                      # or a file (columns frame, wall_ms); else measured
 ///     out = "results"
 ///     frame_limit_s = 60
 ///     memory_limit_mb = 4096
@@ -45,9 +48,14 @@ struct Plan {
   std::vector<Protocol> protocols{Protocol::once};
   std::vector<std::uint64_t> seeds{1};
   Gate gate = {};
+  std::optional<RealTime> real_time = {};
   std::filesystem::path out = "results";
   RunLimits limits = {};
 };
+
+/// `waiting` and `latency` as they are typed; a latency that is neither measured nor constant is the path of a file.
+/// Throws Error when they are none.
+RealTime parse_real_time(const std::string& waiting, const std::string& latency);
 
 /// Throws Error with file, line and column.
 Plan read_plan(const std::filesystem::path& file);

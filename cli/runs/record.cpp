@@ -39,7 +39,9 @@ Json inputs_json(const RunRecord& r) {
           {"seed", r.seed},
           {"protocol", to_string(r.protocol)},
           {"anchor", r.anchor ? to_json(*r.anchor) : Json()},
-          {"gate", r.gate.empty() ? Json() : Json(r.gate)}};
+          {"gate", r.gate.empty() ? Json() : Json(r.gate)},
+          {"real_time", r.real_time.empty() ? Json() : Json(r.real_time)},
+          {"latency", r.latency.empty() ? Json() : Json(r.latency)}};
 }
 
 Json to_json(const RunRecord& r) {
@@ -68,6 +70,11 @@ Failure failure_from(const Json& json) {
           json.at("output").get<std::string>()};
 }
 
+std::string text_or_nothing(const Json& json, const char* key) {
+  const Json value = json.value(key, Json());
+  return value.is_null() ? std::string() : value.get<std::string>();
+}
+
 RunRecord record_from(const Json& json) {
   RunRecord r;
   const Json& inputs = json.at("inputs");
@@ -85,6 +92,8 @@ RunRecord record_from(const Json& json) {
   if (const Json anchor = inputs.value("anchor", Json()); !anchor.is_null())
     r.anchor = Anchor{anchor.at("frame"), parse_direction(anchor.at("direction").get<std::string>())};
   if (!inputs.at("gate").is_null()) r.gate = inputs.at("gate");
+  r.real_time = text_or_nothing(inputs, "real_time");
+  r.latency = text_or_nothing(inputs, "latency");
   r.yardstick = json.at("yardstick");
   r.reads_codes = json.at("reads_codes");
   r.deterministic = json.at("deterministic");
@@ -113,6 +122,8 @@ bool RunRecord::same_conditions(const RunRecord& other) const {
 std::string spoken_protocol(const RunRecord& record) {
   std::string text = fmt::format("protocol {}", to_string(record.protocol));
   if (record.anchor) text += fmt::format(" from {}", to_string(*record.anchor));
+  if (!record.real_time.empty())
+    text += fmt::format(", real time {}, latency {}", record.real_time, record.latency);
   return text;
 }
 

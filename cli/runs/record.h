@@ -28,6 +28,9 @@ struct RunRecord {
   std::optional<Anchor> anchor;  ///< protocol multistart; frames of a backward run are counted as played
   std::string gate;              ///< by which protocol reset judged losses; empty otherwise
 
+  std::string real_time;  ///< which frames wait for a busy method; empty: it had all the time it wanted
+  std::string latency;    ///< then, of its answers
+
   // What it was.
   bool yardstick = false;
   bool reads_codes = false;
@@ -43,7 +46,7 @@ struct RunRecord {
   bool same_conditions(const RunRecord& other) const;
 };
 
-/// "protocol multistart from frame 50 backward": how methods were shown the recording, for headings.
+/// "protocol once, real time latest, latency constant(20ms)", "protocol multistart from frame 50 backward": how methods were shown the recording, for headings.
 std::string spoken_protocol(const RunRecord& record);
 
 /// run.json, as text and back.

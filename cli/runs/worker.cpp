@@ -14,9 +14,10 @@ namespace relock {
 namespace {
 
 // Messages of a worker, by their first letter.
-constexpr char kNotMade = 'n';   // why
-constexpr char kAsking = 'a';    // frame, then the targets given in it
-constexpr char kReported = 'r';  // wall and CPU nanoseconds, a line's end, rows of trajectory.csv
+constexpr char kNotMade = 'n';  // why
+constexpr char kAsking = 'a';   // frame, then the targets given in it
+constexpr char kReported =
+    'r';  // wall and CPU nanoseconds, real time: when it was there; a line's end, rows of trajectory.csv
 constexpr char kFinished = 'f';  // run.json
 
 std::vector<std::int64_t> numbers_in(std::string_view text) {
@@ -38,6 +39,7 @@ ReplayOptions replay_options(const Condition& condition, const PlannedRun& run, 
   options.reads_codes = run.method.reads_codes;
   options.asked = run.asked;
   options.from = played.from;
+  options.real_time = condition.real_time;
   return options;
 }
 
@@ -65,7 +67,10 @@ void replay_and_tell(const Matrix& matrix, const PlannedRun& run, const Tell& te
     const std::size_t frame = so_far.trajectory.frames.size() - 1;
     const bool asked = !so_far.costs.empty() && so_far.costs.back().frame == static_cast<FrameIndex>(frame);
     const FrameCost cost = asked ? so_far.costs.back() : FrameCost{};
-    message = fmt::format("{}{},{}\n", kReported, cost.wall.count(), cost.cpu.count());
+    message = fmt::format("{}{},{}", kReported, cost.wall.count(), cost.cpu.count());
+    if (asked && !so_far.answers.empty() && so_far.answers.back().frame == cost.frame)
+      message += fmt::format(",{}", ns(so_far.answers.back().finished));
+    message += '\n';
     append_report(message, played.recording, so_far.trajectory, frame);
     tell(message);
   };
@@ -136,6 +141,10 @@ void Worker::hear(const std::string& message) {
       const std::size_t head = text.find('\n');
       const auto numbers = numbers_in(text.substr(0, head));
       if (asked_) costs_.push_back({*asked_, Duration(numbers.at(0)), Duration(numbers.at(1))});
+      if (asked_ && numbers.size() > 2) {
+        const auto& captured = matrix_.sequence_of(run_).recording.captured;
+        answers_.push_back({*asked_, captured[static_cast<std::size_t>(*asked_)], time_ns(numbers[2])});
+      }
       asked_.reset();
       ++frames_done_;
       rows_ += text.substr(head + 1);
@@ -147,7 +156,7 @@ void Worker::hear(const std::string& message) {
 }
 
 FinishedRun Worker::finished(const ChildEnd& end) {
-  FinishedRun done{run_.record, std::move(rows_), std::move(costs_)};
+  FinishedRun done{run_.record, std::move(rows_), std::move(costs_), std::move(answers_)};
   if (record_) {
     done.record = *std::move(record_);
   } else if (not_made_) {
@@ -195,6 +204,7 @@ std::optional<double> trial_seconds_per_frame(const Matrix& matrix, const Planne
         const auto method = run.method.make(played.recording, condition.seed);
         FirstFrames source(played.frames(), end);
         ReplayOptions options = replay_options(condition, run, played);
+        options.real_time.reset();
         Clock::time_point begun = Clock::now();
         options.reported = [&](const Replay& so_far) {
           const std::size_t done = so_far.trajectory.frames.size();
