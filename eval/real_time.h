@@ -65,7 +65,8 @@ struct Answer {
 ///     VirtualClock clock(recording.captured, schedule, waiting);
 ///     for each recorded frame: if (clock.comes_to(frame)) clock.answered(frame, latency);
 ///
-/// A frame that arrives in the very moment in which the method gets ready is there.
+/// A frame that arrives in the very moment in which the method gets ready is there. When the recording is over, what
+/// waits is still answered.
 class VirtualClock {
  public:
   /// All of them must outlive the clock. Frames that are not delivered never arrive.
