@@ -24,10 +24,10 @@ void add_run(CLI::App& app, RunArguments& a) {
   verb.add_option("--format", a.format, "how it is kept on disk; else recognised");
   verb.add_option("--topic", a.topic, "ROS bags: of the pictures; else the only one that has any");
   verb.add_option("--methods", a.methods, "names, separated by commas: kcf,aruco,csrt(psr_threshold=0.05)");
-  verb.add_option(
-      "--protocol", a.protocol,
-      "once (if none is given), reset (start again after a loss), multistart (from many frames, forward "
-      "and backward) or detect (no start)");
+  verb.add_option("--protocol", a.protocol,
+                  "once (if none is given), reset (start again after a loss), vot (likewise, by VOT's "
+                  "rules), multistart (from many frames, forward "
+                  "and backward) or detect (no start)");
   verb.add_option("--gaps", a.gaps,
                   "frames lost on the way: none, paper, paper-6s, bernoulli(p), gilbert-elliott(p,r), "
                   "periodic(n,k), trace(file) or fps(n)");

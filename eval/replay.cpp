@@ -14,6 +14,7 @@
 #include "core/outline_csv.h"
 #include "eval/evaluation.h"
 #include "eval/trajectory_csv.h"
+#include "eval/vot_rules.h"
 
 namespace relock {
 namespace {
@@ -79,7 +80,8 @@ class Run {
         starts_(first_startable(recording, options.from)),
         watches_(recording.targets.size(), LockWatch(recording.period)),
         started_(recording.targets.size(), false),
-        restart_due_(recording.targets.size(), false) {
+        restart_due_(recording.targets.size(), false),
+        off_until_(recording.targets.size()) {
     if (options.real_time) clock_.emplace(recording.captured, schedule, options.real_time->waiting);
     Trajectory& trajectory = result_.trajectory;
     trajectory.reads_codes = options.reads_codes;
@@ -90,6 +92,7 @@ class Run {
   void show(const Frame& frame) {
     FrameReport report;
     report.given = due_starts(frame.index);
+    report.withheld = withheld_on(frame.index);
     if (options_.asking) options_.asking(frame.index, report.given);
     Stopwatch watch;
     start(frame, report.given);
@@ -104,10 +107,19 @@ class Run {
   bool misses(FrameIndex frame) const { return clock_ && !clock_->comes_to(frame); }
   void skip() { add({.delivery = Delivery::skipped}); }
   /// Whether the protocol keeps the frame from the method altogether.
-  bool withholds(FrameIndex frame) const { return frame < options_.from; }
-  void withhold() {
+  bool withholds(FrameIndex frame) const {
+    const auto waits = [&](std::size_t t) { return failed(t) || withheld_from(t, frame); };
+    bool any = frame < options_.from;
+    for (std::size_t t = 0; t < targets(); ++t) {
+      if (!asked(t) || !starts_[t]) continue;
+      if (!waits(t)) return false;
+      any = any || withheld_from(t, frame);
+    }
+    return any;
+  }
+  void withhold(FrameIndex frame) {
     FrameReport report;
-    for (std::size_t t = 0; t < targets(); ++t) report.withheld.push_back(t);
+    report.withheld = withheld_on(frame);
     add(std::move(report));
   }
   void cut_short(Failure why) { result_.cut_short = std::move(why); }
@@ -122,8 +134,21 @@ class Run {
     if (!asked(t) || failed(t) || !starts_[t]) return false;
     if (!started_[t])
       return frame >= *starts_[t] && startable(recording_, static_cast<std::size_t>(frame), t);
-    return options_.protocol == Protocol::reset && restart_due_[t] &&
-           startable(recording_, static_cast<std::size_t>(frame), t);
+    const bool due = options_.protocol == Protocol::vot
+                         ? off_until_[t] && frame >= *off_until_[t]
+                         : options_.protocol == Protocol::reset && restart_due_[t];
+    return due && startable(recording_, static_cast<std::size_t>(frame), t);
+  }
+
+  bool withheld_from(std::size_t t, FrameIndex frame) const {
+    return frame < options_.from || (off_until_[t] && !start_is_due(t, frame));
+  }
+
+  std::vector<std::size_t> withheld_on(FrameIndex frame) const {
+    std::vector<std::size_t> all;
+    for (std::size_t t = 0; t < targets(); ++t)
+      if (withheld_from(t, frame)) all.push_back(t);
+    return all;
   }
 
   std::vector<std::size_t> due_starts(FrameIndex frame) const {
@@ -137,6 +162,7 @@ class Run {
     for (const std::size_t t : due) {
       started_[t] = true;
       restart_due_[t] = false;
+      off_until_[t].reset();
       const auto& truth = recording_.truth_of(static_cast<std::size_t>(frame.index), t);
       try {
         method_.start(frame, recording_.targets[t], bounds(*truth.outline));
@@ -153,6 +179,11 @@ class Run {
       for (const Sighting& sighting : said) check_sighting(sighting, recording_);
       // As the file will have them, so that replay and scoring judge the same numbers.
       for (Sighting& sighting : said) sighting = as_stored(std::move(sighting));
+      // What still runs of a tracker that VOT has called off is not asked.
+      std::erase_if(said, [&](const Sighting& sighting) {
+        return std::any_of(report.withheld.begin(), report.withheld.end(),
+                           [&](std::size_t t) { return sighting.track == recording_.targets[t].id; });
+      });
       report.sightings = std::move(said);
     } catch (...) {
       for (std::size_t t = 0; t < targets(); ++t) mark_failed(t, frame.index);
@@ -195,8 +226,19 @@ class Run {
         if (watches_[t].state() == State::Locked) restart_due_[t] = false;
       }
     }
+    if (options_.protocol == Protocol::vot && report.delivery == Delivery::delivered)
+      call_off_who_missed(frame, report);
     trajectory.frames.push_back(std::move(report));
     if (options_.reported) options_.reported(result_);
+  }
+
+  void call_off_who_missed(std::size_t frame, const FrameReport& report) {
+    for (std::size_t t = 0; t < targets(); ++t) {
+      const bool starts = std::binary_search(report.given.begin(), report.given.end(), t);
+      if (started_[t] && !failed(t) && !starts && !off_until_[t] &&
+          misses_by_vot(recording_, frame, t, report))
+        off_until_[t] = static_cast<FrameIndex>(frame) + kVotSkip;
+    }
   }
 
   Method& method_;
@@ -207,21 +249,24 @@ class Run {
   std::optional<VirtualClock> clock_;  // real time
   std::vector<bool> started_;
   std::vector<bool> restart_due_;  // protocol reset: a loss was declared and not yet answered
+  std::vector<std::optional<FrameIndex>>
+      off_until_;  // protocol vot: failed, and not started before this frame
   Replay result_;
 };
 
 }  // namespace
 
 std::string_view to_string(Protocol protocol) {
-  constexpr std::string_view names[] = {"once", "reset", "multistart", "detect"};
+  constexpr std::string_view names[] = {"once", "reset", "vot", "multistart", "detect"};
   return names[static_cast<std::size_t>(protocol)];
 }
 
 Protocol parse_protocol(std::string_view text) {
-  for (const Protocol protocol : {Protocol::once, Protocol::reset, Protocol::multistart, Protocol::detect})
+  for (const Protocol protocol :
+       {Protocol::once, Protocol::reset, Protocol::vot, Protocol::multistart, Protocol::detect})
     if (text == to_string(protocol)) return protocol;
   throw Error(
-      fmt::format("no protocol is called \"{}\"; there are once, reset, multistart and detect", text));
+      fmt::format("no protocol is called \"{}\"; there are once, reset, vot, multistart and detect", text));
 }
 
 bool startable(const Recording& recording, std::size_t frame, std::size_t target) {
@@ -273,7 +318,7 @@ Replay replay(Method& method, FrameSource& source, const Recording& recording, c
       continue;
     }
     if (run.withholds(stamp->index)) {
-      run.withhold();
+      run.withhold(stamp->index);
       continue;
     }
     if (run.misses(stamp->index)) {

@@ -17,8 +17,9 @@ namespace relock {
 
 /// How a method is started and what happens after a loss (metrics.md section 5).
 enum class Protocol : std::uint8_t {
-  once,        ///< from the true box on the first startable frame; recovery is the method's own business
-  reset,       ///< likewise; once a loss is declared, started again on the next startable frame
+  once,   ///< from the true box on the first startable frame; recovery is the method's own business
+  reset,  ///< likewise; once a loss is declared, started again on the next startable frame
+  vot,    ///< likewise; once an answer does not overlap, started again five frames later (eval/vot_rules.h)
   multistart,  ///< like once, from many frames, forward and backward (eval/multistart.h)
   detect,      ///< no start: every frame on its own
 };

@@ -21,7 +21,7 @@ struct FrameReport {
   std::vector<std::size_t> given = {};  ///< targets whose true box the method was handed here, rising
   Sightings sightings = {};             ///< empty unless delivered
   /// Delivered, but not for these targets, rising: the protocol does not show the method the frame (before the
-  /// anchor of a run). Such a target is NotStarted here.
+  /// anchor of a run; protocol vot, between a failure and the start after it). Such a target is NotStarted here.
   std::vector<std::size_t> withheld = {};
 };
 

@@ -119,6 +119,10 @@ std::string hindrance(const ChosenMethod& method, const Condition& condition, co
   if (method.needs_start && condition.protocol == Protocol::detect)
     return fmt::format("{} needs a box to start from, and protocol detect gives none; use once or reset",
                        method.text);
+  if (!method.takes_boxes && condition.protocol == Protocol::vot)
+    return fmt::format(
+        "{} takes no box, and protocol vot counts how often one has to be handed over; use once or detect",
+        method.text);
   const auto asked = asked_about(method, recording);
   if (std::find(asked.begin(), asked.end(), true) == asked.end())
     return fmt::format(
@@ -162,11 +166,12 @@ RunRecord record_of(const Matrix& matrix, const PlannedRun& run, const std::stri
 void check_real_time(const Plan& plan) {
   if (!plan.real_time) return;
   for (const Protocol protocol : plan.protocols)
-    if (protocol == Protocol::multistart)
+    if (protocol == Protocol::multistart || protocol == Protocol::vot)
       throw Error(
-          fmt::format("protocol {} has no real time: half of its runs go backward in time; use once, "
-                      "reset or detect, or leave out real time",
-                      to_string(protocol)));
+          fmt::format("protocol {} has no real time: {}; use once, reset or detect, or leave out real time",
+                      to_string(protocol),
+                      protocol == Protocol::vot ? "it counts frames, and wants an answer to every one"
+                                                : "half of its runs go backward"));
 }
 
 /// Adds the runs of one condition. `fits`: for each method, whether it was found to fit anywhere.
