@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "eval/replay.h"
+#include "eval/protocol.h"
 
 namespace relock {
 namespace {

@@ -64,6 +64,50 @@ TEST(DroppedFrames, NeverArrive) {
   EXPECT_EQ(come_to("latest", 0, 4, {0, 3}), (Frames{1, 2}));
 }
 
+/// The same, told tick by tick: what arrives joins the queue, and a method that is ready takes its head.
+Frames come_to_by_ticks(const std::vector<Time>& captured, const Schedule& schedule, std::size_t places,
+                        const std::function<std::int64_t(FrameIndex)>& latency_ns) {
+  Frames queue, taken;
+  std::int64_t ready = ns(captured.front());
+  std::size_t next = 0;
+  for (std::int64_t tick = ready; next < captured.size() || !queue.empty(); ++tick) {
+    for (; next < captured.size() && ns(captured[next]) == tick; ++next)
+      if (schedule.delivered(next)) queue.push_back(static_cast<FrameIndex>(next));
+    while (queue.size() > places) queue.erase(queue.begin());
+    while (ready <= tick && !queue.empty()) {
+      taken.push_back(queue.front());
+      queue.erase(queue.begin());
+      ready = tick + latency_ns(taken.back());
+    }
+  }
+  return taken;
+}
+
+TEST(TheVirtualClock, AgreesWithOneThatTicks) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    Random random(seed);
+    std::vector<Time> captured{time_ns(static_cast<std::int64_t>(random.below(5)))};
+    while (captured.size() < 40)
+      captured.push_back(captured.back() + Duration(1 + static_cast<std::int64_t>(random.below(12))));
+    Schedule schedule(captured.size());
+    for (std::size_t frame = 0; frame < captured.size(); ++frame)
+      if (random.chance(0.2)) schedule.drop(frame);
+    std::vector<std::int64_t> latencies;
+    for (std::size_t frame = 0; frame < captured.size(); ++frame)
+      latencies.push_back(static_cast<std::int64_t>(random.below(30)));
+    const auto latency = [&](FrameIndex frame) { return latencies[static_cast<std::size_t>(frame)]; };
+    const std::size_t places = 1 + random.below(4);
+    VirtualClock clock(captured, schedule, {places});
+    Frames taken;
+    for (FrameIndex frame = 0; frame < 40; ++frame) {
+      if (!clock.comes_to(frame)) continue;
+      taken.push_back(frame);
+      clock.answered(frame, Duration(latency(frame)));
+    }
+    EXPECT_EQ(taken, come_to_by_ticks(captured, schedule, places, latency)) << "seed " << seed;
+  }
+}
+
 TEST(Answers, FinishALatencyAfterTheMethodComesToTheFrame) {
   const auto captured = tens(4);
   const Schedule schedule(4);

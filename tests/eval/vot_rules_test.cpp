@@ -6,6 +6,7 @@
 
 #include "eval/evaluation.h"
 #include "eval/replay.h"
+#include "eval/timeline_text.h"
 #include "eval/yardsticks.h"
 #include "tests/eval/made_flight.h"
 
@@ -136,6 +137,14 @@ TEST(Vot, LeavesTheOtherTargetsRunning) {
   EXPECT_EQ(verdicts(recording, done.trajectory, 1), "gHHHHHHH");
   EXPECT_EQ(done.trajectory.frames[1].sightings.size(), 2u);
   EXPECT_EQ(done.trajectory.frames[2].sightings.size(), 1u);
+}
+
+TEST(Vot, IsToldInFailures) {
+  const Recording recording = made_flight("vvvvvvvvvvvvvv");
+  Scripted method(nothing);
+  const Replay done = by_vot(method, recording);
+  EXPECT_EQ(story(recording, done.trajectory, evaluate(recording, done.trajectory), 0),
+            "3 failures, 2 started again");
 }
 
 TEST(Vot, NeverFailsAPerfectMethod) {
