@@ -23,7 +23,7 @@ TEST(AReversedSource, GivesTheSamePicturesFromTheLastToTheFirst) {
   scratch.write_pictures(7);
   scratch.write("timestamps.csv", "timestamp_ns\n100\n110\n150\n160\n170\n200\n300\n");
   const Sequence sequence = open_sequence(scratch.path());
-  for (const std::size_t pictures : {0, 1, 3, 7, 100}) {
+  for (const std::size_t pictures : {0u, 1u, 3u, 7u, 100u}) {
     const auto source = reversed(sequence.frames, {.budget_bytes = pictures * kPicture});
     EXPECT_EQ(levels(*source), (std::vector<int>{16, 15, 14, 13, 12, 11, 10})) << pictures << " at a time";
     EXPECT_EQ(ns(source->captured()[0]), 100);
