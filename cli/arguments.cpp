@@ -25,7 +25,9 @@ void add_run(CLI::App& app, RunArguments& a) {
   verb.add_option("--topic", a.topic, "ROS bags: of the pictures; else the only one that has any");
   verb.add_option("--methods", a.methods, "names, separated by commas: kcf,aruco,csrt(psr_threshold=0.05)");
   verb.add_option("--protocol", a.protocol,
-                  "once (if none is given), reset (start again after a loss) or detect (no start)");
+                  "once (if none is given), reset (start again after a loss), vot (likewise, by VOT's "
+                  "rules), multistart (from many frames, forward "
+                  "and backward) or detect (no start)");
   verb.add_option("--gaps", a.gaps,
                   "frames lost on the way: none, paper, paper-6s, bernoulli(p), gilbert-elliott(p,r), "
                   "periodic(n,k), trace(file) or fps(n)");
@@ -33,6 +35,14 @@ void add_run(CLI::App& app, RunArguments& a) {
                 "run as recorded, too, and tell at the end what the gaps cost each method");
   verb.add_option("--seed", a.seed, "of everything drawn at random; else 1");
   add_gate(verb, a.gate, "protocol reset: when an answer is a Hit");
+  verb.add_option(
+      "--real-time", a.real_time,
+      "frames arrive at their capture times, and a method that is busy misses frames: latest (the newest "
+      "waits) or queue(n)");
+  verb.add_option(
+      "--latency", a.latency,
+      "real time: what an answer takes; measured (if none is given), constant(20ms), or a file with "
+      "columns frame and wall_ms");
   verb.add_option("--out", a.out, "folder for the results; else results");
   verb.add_option("--jobs,-j", a.jobs,
                   "runs at a time; the results are the same for any number, their timing is not")

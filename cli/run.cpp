@@ -24,7 +24,8 @@ constexpr int kMethodFailed = 1, kInputAtFault = 2, kInterrupted = 130;
 Plan plan_of(const RunArguments& arguments) {
   const bool described = arguments.sequence || arguments.methods || arguments.gaps || arguments.protocol ||
                          arguments.seed || arguments.gate || arguments.labels || arguments.rate_hz ||
-                         arguments.format || arguments.topic || arguments.paired;
+                         arguments.format || arguments.topic || arguments.paired || arguments.real_time ||
+                         arguments.latency;
   if (arguments.plan && described)
     throw Error("a plan says what to run; beside it only --out, --jobs and --dry-run may be given");
   if (!arguments.plan && !arguments.methods)
@@ -39,6 +40,10 @@ Plan plan_of(const RunArguments& arguments) {
     if (arguments.gaps) plan.gaps = {*arguments.gaps};
     if (arguments.protocol) plan.protocols = {parse_protocol(*arguments.protocol)};
     if (arguments.seed) plan.seeds = {*arguments.seed};
+    if (arguments.latency && !arguments.real_time)
+      throw Error("--latency needs --real-time latest or queue(n) beside it");
+    if (arguments.real_time)
+      plan.real_time = parse_real_time(*arguments.real_time, arguments.latency.value_or("measured"));
     if (arguments.gate) plan.gate = parse_gate(*arguments.gate);
     if (arguments.paired) pair_up(plan);
   }
@@ -60,10 +65,11 @@ std::string heading(const Plan& plan, const Matrix& matrix, const Condition& con
                   seconds(recording.captured.back() - recording.captured.front()), 1e3 * seconds(period));
   if (5 * std::chrono::abs(median - period) > period)  // metrics.md section 2
     text += fmt::format(" (median interval {:.3f} ms)", 1e3 * seconds(median));
-  const std::size_t dropped = recording.frames() - delivered_frames(condition);
+  const std::size_t dropped = dropped_frames(condition);
   if (dropped > 0) text += fmt::format(", {} dropped by {}", dropped, condition.gaps);
   if (plan.protocols.size() > 1) text += fmt::format(", protocol {}", to_string(condition.protocol));
   if (plan.seeds.size() > 1) text += fmt::format(", seed {}", condition.seed);
+  if (condition.anchor) text += fmt::format(", from {}", to_string(*condition.anchor));
   return text;
 }
 
@@ -182,6 +188,12 @@ int make(const Plan& plan, const Matrix& matrix, int jobs) {
   return faults.tell();
 }
 
+/// "multistart from frame 50 backward".
+std::string spoken(const Condition& condition) {
+  return fmt::format("{}{}", to_string(condition.protocol),
+                     condition.anchor ? " from " + to_string(*condition.anchor) : "");
+}
+
 /// Lists what would be run, and estimates from a trial of each method on each sequence how long it would
 /// take.
 int dry_run(const Plan& plan, const Matrix& matrix, int jobs) {
@@ -191,7 +203,7 @@ int dry_run(const Plan& plan, const Matrix& matrix, int jobs) {
   std::size_t there = 0, unknown = 0;
   for (const PlannedRun& run : matrix.runs) {
     const Condition& condition = matrix.condition_of(run);
-    const std::size_t frames = delivered_frames(condition);
+    const std::size_t frames = shown_frames(condition);
     std::string takes = "kept";
     if (run.there) {
       ++there;
@@ -203,9 +215,8 @@ int dry_run(const Plan& plan, const Matrix& matrix, int jobs) {
       unknown += pace[key] ? 0 : 1;
       takes = pace[key] ? spoken_time(spent) : "unknown";
     }
-    table.add({matrix.sequence_of(run).recording.name, condition.gaps,
-               std::string(to_string(condition.protocol)), fmt::format("{}", condition.seed), run.method.text,
-               fmt::format("{}", frames), takes});
+    table.add({matrix.sequence_of(run).recording.name, condition.gaps, spoken(condition),
+               fmt::format("{}", condition.seed), run.method.text, fmt::format("{}", frames), takes});
   }
   fmt::print("{}", table.text(0));
   for (const std::string& why : matrix.left_out) fmt::print("left out: {}\n", why);

@@ -159,6 +159,8 @@ class Printer {
   void print_one(const JudgedTable& judged, const std::string& what) {
     subtitle(what);
     fmt::print("{}\n{}", keeping_table(judged).in(format_), exactness_table(judged).in(format_));
+    if (!judged.table.conditions.real_time.empty())
+      fmt::print("\n{}", real_time_table(judged.table).in(format_));
   }
 
   void subtitle(const std::string& text) {
@@ -180,6 +182,9 @@ void print_tables(const std::vector<JudgedTable>& tables, TableFormat format, co
   if (format != TableFormat::text) return;
   for (const std::string& end : read.ends) fmt::print("  {}\n", end);
   fmt::print("{}", table_footnote());
+  if (std::any_of(tables.begin(), tables.end(),
+                  [](const JudgedTable& t) { return !t.table.conditions.real_time.empty(); }))
+    fmt::print("{}", real_time_footnote());
 }
 
 }  // namespace

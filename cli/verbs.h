@@ -15,7 +15,7 @@ namespace relock {
 
 /// What is not given has the plan's defaults (cli/runs/plan.h).
 struct RunArguments {
-  std::optional<std::filesystem::path> plan;  ///< a plan file, in place of the next ten
+  std::optional<std::filesystem::path> plan;  ///< a plan file, in place of all but the last five
   std::optional<std::filesystem::path>
       sequence;  ///< a path, or the name of a recording that relock comes with
   std::optional<std::filesystem::path> labels;
@@ -27,6 +27,8 @@ struct RunArguments {
   std::optional<std::string> gaps;
   std::optional<std::uint64_t> seed;
   std::optional<std::string> gate;
+  std::optional<std::string> real_time;
+  std::optional<std::string> latency;
   std::optional<std::filesystem::path> out;
   std::optional<double> frame_limit_s;
   std::optional<double> memory_limit_mb;

@@ -41,6 +41,13 @@ Duration nominal_period(std::span<const Time> captured) {
 
 Duration median_interval(std::span<const Time> captured) { return nearest_rank(intervals(captured), 50); }
 
+std::vector<Time> reflected(std::span<const Time> captured) {
+  std::vector<Time> turned;
+  for (auto time = captured.rbegin(); time != captured.rend(); ++time)
+    turned.push_back(captured.front() + (captured.back() - *time));
+  return turned;
+}
+
 std::int64_t slots(Duration interval, Duration period) {
   const std::int64_t rounded = (2 * interval.count() + period.count()) / (2 * period.count());
   return std::max<std::int64_t>(1, rounded);

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace relock {
 
@@ -39,6 +40,9 @@ Duration nominal_period(std::span<const Time> captured);
 /// Median of all intervals (nearest rank), the plain figure printed beside T when the two differ
 /// by over 20 %.
 Duration median_interval(std::span<const Time> captured);
+
+/// The times as they pass when a recording is played backward: first + (last - time), in rising order.
+std::vector<Time> reflected(std::span<const Time> captured);
 
 /// Slots an interval spans: floor(dt / T + 1/2), at least 1. Two or more are a gap. Slots are counted and
 /// seconds are not compared, because three slots at 30 Hz are 0.0999… or 0.1000… s.

@@ -91,7 +91,8 @@ double percentile(std::vector<double> values, double share) {
   const auto below = values.begin() + static_cast<std::ptrdiff_t>(place);
   std::nth_element(values.begin(), below, values.end());
   const double part = place - std::floor(place);
-  const double above = below + 1 == values.end() ? *below : *std::min_element(below + 1, values.end());
+  if (part <= 0) return *below;  // a value above that is infinite counts only where it has a part
+  const double above = *std::min_element(below + 1, values.end());
   return *below + part * (above - *below);
 }
 

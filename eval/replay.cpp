@@ -14,11 +14,10 @@
 #include "core/outline_csv.h"
 #include "eval/evaluation.h"
 #include "eval/trajectory_csv.h"
+#include "eval/vot_rules.h"
 
 namespace relock {
 namespace {
-
-constexpr double kMostOcclusionAtStart = 0.1;
 
 Duration process_cpu() {
   std::timespec now{};
@@ -72,31 +71,55 @@ std::string sentence_of_what_was_thrown() {
 /// One replay: which targets are started when, and what was said.
 class Run {
  public:
-  Run(Method& method, const Recording& recording, const ReplayOptions& options)
+  Run(Method& method, const Recording& recording, const Schedule& schedule, const ReplayOptions& options)
       : method_(method),
         recording_(recording),
         options_(options),
-        starts_(first_startable(recording)),
+        starts_(first_startable(recording, options.from)),
         watches_(recording.targets.size(), LockWatch(recording.period)),
-        restart_due_(recording.targets.size(), false) {
+        started_(recording.targets.size(), false),
+        restart_due_(recording.targets.size(), false),
+        off_until_(recording.targets.size()) {
+    if (options.real_time) clock_.emplace(recording.captured, schedule, options.real_time->waiting);
     Trajectory& trajectory = result_.trajectory;
     trajectory.reads_codes = options.reads_codes;
-    trajectory.judged_from = judged_from(recording, options.protocol, method.takes_boxes(), options.asked);
+    trajectory.judged_from = judged_from(recording, options, method.takes_boxes());
     trajectory.failed_from.resize(targets());
   }
 
   void show(const Frame& frame) {
     FrameReport report;
     report.given = due_starts(frame.index);
+    report.withheld = withheld_on(frame.index);
     if (options_.asking) options_.asking(frame.index, report.given);
     Stopwatch watch;
     start(frame, report.given);
     ask(frame, report);
     result_.costs.push_back(watch.cost(frame.index));
+    if (clock_) note_answer(result_.costs.back());
     add(std::move(report));
   }
 
-  void drop() { add(FrameReport{Delivery::dropped, {}, {}}); }
+  void drop() { add({.delivery = Delivery::dropped}); }
+  /// Whether the method is busy until the frame's place is taken.
+  bool misses(FrameIndex frame) const { return clock_ && !clock_->comes_to(frame); }
+  void skip() { add({.delivery = Delivery::skipped}); }
+  /// Whether the protocol keeps the frame from the method altogether.
+  bool withholds(FrameIndex frame) const {
+    const auto waits = [&](std::size_t t) { return failed(t) || withheld_from(t, frame); };
+    bool any = frame < options_.from;
+    for (std::size_t t = 0; t < targets(); ++t) {
+      if (!asked(t) || !starts_[t]) continue;
+      if (!waits(t)) return false;
+      any = any || withheld_from(t, frame);
+    }
+    return any;
+  }
+  void withhold(FrameIndex frame) {
+    FrameReport report;
+    report.withheld = withheld_on(frame);
+    add(std::move(report));
+  }
   void cut_short(Failure why) { result_.cut_short = std::move(why); }
   Replay result() && { return std::move(result_); }
 
@@ -107,9 +130,23 @@ class Run {
 
   bool start_is_due(std::size_t t, FrameIndex frame) const {
     if (!asked(t) || failed(t) || !starts_[t]) return false;
-    if (frame == *starts_[t]) return true;
-    return options_.protocol == Protocol::reset && restart_due_[t] &&
-           startable(recording_, static_cast<std::size_t>(frame), t);
+    if (!started_[t])
+      return frame >= *starts_[t] && startable(recording_, static_cast<std::size_t>(frame), t);
+    const bool due = options_.protocol == Protocol::vot
+                         ? off_until_[t] && frame >= *off_until_[t]
+                         : options_.protocol == Protocol::reset && restart_due_[t];
+    return due && startable(recording_, static_cast<std::size_t>(frame), t);
+  }
+
+  bool withheld_from(std::size_t t, FrameIndex frame) const {
+    return frame < options_.from || (off_until_[t] && !start_is_due(t, frame));
+  }
+
+  std::vector<std::size_t> withheld_on(FrameIndex frame) const {
+    std::vector<std::size_t> all;
+    for (std::size_t t = 0; t < targets(); ++t)
+      if (withheld_from(t, frame)) all.push_back(t);
+    return all;
   }
 
   std::vector<std::size_t> due_starts(FrameIndex frame) const {
@@ -121,7 +158,9 @@ class Run {
 
   void start(const Frame& frame, const std::vector<std::size_t>& due) {
     for (const std::size_t t : due) {
+      started_[t] = true;
       restart_due_[t] = false;
+      off_until_[t].reset();
       const auto& truth = recording_.truth_of(static_cast<std::size_t>(frame.index), t);
       try {
         method_.start(frame, recording_.targets[t], bounds(*truth.outline));
@@ -138,11 +177,24 @@ class Run {
       for (const Sighting& sighting : said) check_sighting(sighting, recording_);
       // As the file will have them, so that replay and scoring judge the same numbers.
       for (Sighting& sighting : said) sighting = as_stored(std::move(sighting));
+      // What still runs of a tracker that VOT has called off is not asked.
+      std::erase_if(said, [&](const Sighting& sighting) {
+        return std::any_of(report.withheld.begin(), report.withheld.end(),
+                           [&](std::size_t t) { return sighting.track == recording_.targets[t].id; });
+      });
       report.sightings = std::move(said);
     } catch (...) {
       for (std::size_t t = 0; t < targets(); ++t) mark_failed(t, frame.index);
       result_.failures.push_back({frame.index, sentence_of_what_was_thrown()});
     }
+  }
+
+  void note_answer(const FrameCost& cost) {
+    const bool nothing_to_do =
+        hands_boxes() && std::find(started_.begin(), started_.end(), true) == started_.end();
+    const Duration latency = options_.real_time->latency.of(cost.frame, cost.wall);
+    const Answer answer = clock_->answered(cost.frame, nothing_to_do || all_failed() ? Duration{0} : latency);
+    if (!all_failed()) result_.answers.push_back(answer);
   }
 
   bool failed(std::size_t t) const { return result_.trajectory.failed_from[t].has_value(); }
@@ -172,8 +224,19 @@ class Run {
         if (watches_[t].state() == State::Locked) restart_due_[t] = false;
       }
     }
+    if (options_.protocol == Protocol::vot && report.delivery == Delivery::delivered)
+      call_off_who_missed(frame, report);
     trajectory.frames.push_back(std::move(report));
     if (options_.reported) options_.reported(result_);
+  }
+
+  void call_off_who_missed(std::size_t frame, const FrameReport& report) {
+    for (std::size_t t = 0; t < targets(); ++t) {
+      const bool starts = std::binary_search(report.given.begin(), report.given.end(), t);
+      if (started_[t] && !failed(t) && !starts && !off_until_[t] &&
+          misses_by_vot(recording_, frame, t, report))
+        off_until_[t] = static_cast<FrameIndex>(frame) + kVotSkip;
+    }
   }
 
   Method& method_;
@@ -181,48 +244,25 @@ class Run {
   const ReplayOptions& options_;
   std::vector<std::optional<FrameIndex>> starts_;
   std::vector<LockWatch> watches_;
+  std::optional<VirtualClock> clock_;  // real time
+  std::vector<bool> started_;
   std::vector<bool> restart_due_;  // protocol reset: a loss was declared and not yet answered
+  std::vector<std::optional<FrameIndex>>
+      off_until_;  // protocol vot: failed, and not started before this frame
   Replay result_;
 };
 
 }  // namespace
 
-std::string_view to_string(Protocol protocol) {
-  constexpr std::string_view names[] = {"once", "reset", "detect"};
-  return names[static_cast<std::size_t>(protocol)];
-}
-
-Protocol parse_protocol(std::string_view text) {
-  for (const Protocol protocol : {Protocol::once, Protocol::reset, Protocol::detect})
-    if (text == to_string(protocol)) return protocol;
-  throw Error(fmt::format("no protocol is called \"{}\"; there are once, reset and detect", text));
-}
-
-bool startable(const Recording& recording, std::size_t frame, std::size_t target) {
-  const TargetTruth& truth = recording.truth_of(frame, target);
-  if (truth.label != Label::visible || truth.occluded_fraction >= kMostOcclusionAtStart) return false;
-  const Box box = bounds(*truth.outline), picture = picture_box(recording.picture);
-  return box.x >= picture.x && box.y >= picture.y && box.right() <= picture.right() &&
-         box.bottom() <= picture.bottom();
-}
-
-std::vector<std::optional<FrameIndex>> first_startable(const Recording& recording) {
-  std::vector<std::optional<FrameIndex>> first(recording.targets.size());
-  for (std::size_t t = 0; t < first.size(); ++t)
-    for (std::size_t frame = 0; frame < recording.frames() && !first[t]; ++frame)
-      if (startable(recording, frame, t)) first[t] = static_cast<FrameIndex>(frame);
-  return first;
-}
-
-std::vector<std::optional<FrameIndex>> judged_from(const Recording& recording, Protocol protocol,
-                                                   bool takes_boxes, const std::vector<bool>& asked) {
-  auto from = first_startable(recording);
+std::vector<std::optional<FrameIndex>> judged_from(const Recording& recording, const ReplayOptions& options,
+                                                   bool takes_boxes) {
+  auto from = first_startable(recording, options.from);
   for (std::size_t t = 0; t < from.size(); ++t) {
-    if (protocol == Protocol::detect) from[t] = 0;
+    if (options.protocol == Protocol::detect) from[t] = 0;
     // The start frame is left out for methods that are handed no box, too: they are judged from the next one.
     else if (from[t] && !takes_boxes)
       ++*from[t];
-    if (!asked.empty() && !asked[t]) from[t].reset();
+    if (!options.asked.empty() && !options.asked[t]) from[t].reset();
   }
   return from;
 }
@@ -240,10 +280,18 @@ void fail_from(Trajectory& trajectory, FrameIndex frame, const std::vector<std::
 
 Replay replay(Method& method, FrameSource& source, const Recording& recording, const Schedule& schedule,
               const ReplayOptions& options) {
-  Run run(method, recording, options);
+  Run run(method, recording, schedule, options);
   while (const auto stamp = source.next()) {
     if (!schedule.delivered(static_cast<std::size_t>(stamp->index))) {
       run.drop();
+      continue;
+    }
+    if (run.withholds(stamp->index)) {
+      run.withhold(stamp->index);
+      continue;
+    }
+    if (run.misses(stamp->index)) {
+      run.skip();
       continue;
     }
     Image image;

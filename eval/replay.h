@@ -10,24 +10,11 @@
 #include "core/frame_source.h"
 #include "core/method.h"
 #include "core/schedule.h"
+#include "eval/protocol.h"
+#include "eval/real_time.h"
 #include "eval/verdict.h"
 
 namespace relock {
-
-/// How a method is started and what happens after a loss (metrics.md section 5).
-enum class Protocol : std::uint8_t {
-  once,    ///< from the true box on the first startable frame; recovery is the method's own business
-  reset,   ///< likewise; once a loss is declared, started again on the next startable frame
-  detect,  ///< no start: every frame on its own
-};
-std::string_view to_string(Protocol protocol);
-/// Throws Error when `text` is none of them.
-Protocol parse_protocol(std::string_view text);
-
-/// Whether a method may be handed the target here: visible, fully in the picture, occluded by less than 10 %.
-bool startable(const Recording& recording, std::size_t frame, std::size_t target);
-/// For each target the first startable frame; nothing where there is none.
-std::vector<std::optional<FrameIndex>> first_startable(const Recording& recording);
 
 /// What it cost to ask the method about one frame, starts included.
 struct FrameCost {
@@ -45,7 +32,8 @@ struct Failure {
 
 struct Replay {
   Trajectory trajectory;
-  std::vector<FrameCost> costs;   ///< of every delivered frame that the method was asked about
+  std::vector<FrameCost> costs;   ///< of every frame that the method was asked about
+  std::vector<Answer> answers;    ///< real time: of every frame that it answered
   std::vector<Failure> failures;  ///< of a start (its target only) or an answer (all targets, for good)
   /// The recording itself could not be read on from here: the trajectory ends before this frame.
   std::optional<Failure> cut_short;
@@ -56,6 +44,11 @@ struct ReplayOptions {
   Gate gate;                 ///< by which `reset` judges losses
   bool reads_codes = false;  ///< as the method's registry entry declares
   std::vector<bool> asked;   ///< targets that the method is asked about; empty: all
+  FrameIndex from = 0;       ///< frames before this one are withheld: where the run's anchor is
+  /// Frames arrive in real time, and those for which the method is busy are Skipped. The first start of a target is
+  /// then on the first startable frame that the method comes to; before it is started on any, looking takes no time.
+  /// A method that has failed is not busy.
+  std::optional<RealTime> real_time = {};
   /// Called before a frame is shown, with the targets whose box is handed over in it; if given.
   std::function<void(FrameIndex, const std::vector<std::size_t>& given)> asking;
   /// Called after every recorded frame with all that was said up to it, if given.
@@ -63,9 +56,9 @@ struct ReplayOptions {
 };
 
 /// For each target the first frame on which a method is judged (Trajectory::judged_from): `takes_boxes` as
-/// Method has it; `asked` as ReplayOptions has it.
-std::vector<std::optional<FrameIndex>> judged_from(const Recording& recording, Protocol protocol,
-                                                   bool takes_boxes, const std::vector<bool>& asked);
+/// Method has it; protocol, `asked` and `from` as ReplayOptions has them.
+std::vector<std::optional<FrameIndex>> judged_from(const Recording& recording, const ReplayOptions& options,
+                                                   bool takes_boxes);
 
 /// Completes a trajectory whose method took its process down, or was stopped, while it was asked about
 /// `frame`: it has failed for good from there on. `given`: targets whose box it was handed in that frame.

@@ -11,6 +11,7 @@
 #include "eval/localization.h"
 #include "eval/loss_text.h"
 #include "eval/scores.h"
+#include "eval/vot_rules.h"
 
 namespace relock {
 namespace {
@@ -74,7 +75,9 @@ class Story {
   std::string tell() const {
     if (!trajectory_.judged_from[target_]) return "not asked";
     std::string text;
-    if (timeline_.losses.empty()) {
+    if (called_off()) {
+      text = failures();
+    } else if (timeline_.losses.empty()) {
       text = never_lost();
     } else if (timeline_.losses.size() == 1) {
       text = one_loss(timeline_.losses[0]);
@@ -91,6 +94,24 @@ class Story {
  private:
   double at(FrameIndex frame) const {
     return seconds(recording_.captured[static_cast<std::size_t>(frame)] - recording_.captured.front());
+  }
+
+  /// Protocol vot: the method failed, and frames were withheld from it.
+  bool called_off() const {
+    for (auto frame = static_cast<std::size_t>(*trajectory_.judged_from[target_]);
+         frame < trajectory_.frames.size(); ++frame) {
+      const auto& withheld = trajectory_.frames[frame].withheld;
+      if (std::binary_search(withheld.begin(), withheld.end(), target_)) return true;
+    }
+    return false;
+  }
+
+  /// By VOT's rules: a loss takes three frames, a failure one.
+  std::string failures() const {
+    const auto frames = vot_frames(recording_, trajectory_, target_);
+    const auto failures = std::count(frames.begin(), frames.end(), VotFrame::failure);
+    const auto starts = std::count(frames.begin(), frames.end(), VotFrame::start);
+    return fmt::format("{} failure{}, {} started again", failures, failures == 1 ? "" : "s", starts - 1);
   }
 
   std::string never_lost() const {

@@ -20,6 +20,9 @@ struct FrameReport {
   Delivery delivery = Delivery::delivered;
   std::vector<std::size_t> given = {};  ///< targets whose true box the method was handed here, rising
   Sightings sightings = {};             ///< empty unless delivered
+  /// Delivered, but not for these targets, rising: the protocol does not show the method the frame (before the
+  /// anchor of a run; protocol vot, between a failure and the start after it). Such a target is NotStarted here.
+  std::vector<std::size_t> withheld = {};
 };
 
 /// All that a method said of a recording: with the Recording, everything that scores are made of.

@@ -34,8 +34,10 @@ class ReportWriter {
       return;
     }
     for (const std::size_t t : report.given) given(frame, t);
+    for (const std::size_t t : report.withheld) plain(frame, "withheld", recording_.targets[t].id);
     for (const Sighting& sighting : report.sightings) write(frame, sighting);
-    if (report.given.empty() && report.sightings.empty()) plain(frame, failed(frame) ? "failed" : "nothing");
+    if (report.given.empty() && report.sightings.empty() && report.withheld.empty())
+      plain(frame, failed(frame) ? "failed" : "nothing");
   }
 
  private:
@@ -56,8 +58,8 @@ class ReportWriter {
   void empty_cells(std::size_t count) { line_.append(count, ','); }
   void cell(double value) { fmt::format_to(std::back_inserter(line_), ",{:.{}f}", value, kDecimals); }
 
-  void plain(std::size_t frame, std::string_view report) {
-    begin(frame, report, "");
+  void plain(std::size_t frame, std::string_view report, std::string_view track = "") {
+    begin(frame, report, track);
     empty_cells(kPlainColumns.size() - 4);
     append_outline(line_, {}, kDecimals);
     end();
@@ -112,11 +114,15 @@ class TrajectoryReader {
       } else if (kind == "given") {
         report.given.push_back(target(rows_.text(track_)));
         std::sort(report.given.begin(), report.given.end());
+      } else if (kind == "withheld") {
+        report.withheld.push_back(target(rows_.text(track_)));
+        std::sort(report.withheld.begin(), report.withheld.end());
       } else if (kind == "sighting") {
         report.sightings.push_back(sighting());
       } else if (kind != "nothing" && kind != "failed") {
         rows_.fail(fmt::format(
-            "column report: \"{}\" is none of sighting, nothing, given, failed, dropped, skipped", kind));
+            "column report: \"{}\" is none of sighting, nothing, given, failed, dropped, skipped, withheld",
+            kind));
       }
     }
   }
@@ -136,7 +142,7 @@ class TrajectoryReader {
                              frame, ns(recording_.captured[static_cast<std::size_t>(frame)]),
                              recording_.name));
     const auto kind = rows_.text(report_);
-    if (frame == last && kind != "sighting" && kind != "given")
+    if (frame == last && kind != "sighting" && kind != "given" && kind != "withheld")
       rows_.fail(fmt::format("frame {} is there twice", frame));
     if (frame > last) frames_.emplace_back();
     return frames_.back();

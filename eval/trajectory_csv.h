@@ -12,8 +12,9 @@ namespace relock {
 // frame. Columns:
 //   frame, captured_ns  the recorded frame
 //   report              sighting; nothing (delivered, and nothing said); given (the box handed over here, in
-//                       the outline columns); failed (no answer for good); dropped; skipped
-//   track               id of the target being followed, or given
+//                       the outline columns); failed (no answer for good); dropped; skipped; withheld (the protocol
+//                       does not show it)
+//   track               id of the target being followed, given or withheld
 //   code                what was read
 //   centre_kind, centre_x, centre_y
 //   confidence

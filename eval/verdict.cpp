@@ -121,6 +121,8 @@ class FrameJudge {
         settle(t, Verdict::Skipped);
       } else if (std::binary_search(report_.given.begin(), report_.given.end(), t)) {
         settle(t, Verdict::Given);
+      } else if (std::binary_search(report_.withheld.begin(), report_.withheld.end(), t)) {
+        settle(t, Verdict::NotStarted);
       } else if (truth(t).label == Label::unlabelled) {
         settle(t, Verdict::Unlabelled);
       } else {

@@ -13,7 +13,7 @@ namespace relock {
 
 /// Exactly one for each target and recorded frame: the first that applies (metrics.md section 3).
 enum class Verdict : std::uint8_t {
-  NotStarted,     ///< before the method was started on this target
+  NotStarted,     ///< before the method was started on this target, or the frame is withheld from it
   Dropped,        ///< the frame is missing from the delivery
   Skipped,        ///< real-time replay: the method was busy
   Given,          ///< the method was handed the true box here

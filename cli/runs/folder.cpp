@@ -18,6 +18,7 @@
 
 #include "cli/files.h"
 #include "core/error.h"
+#include "eval/answers_csv.h"
 #include "eval/trajectory_csv.h"
 #include "sequences/open.h"
 
@@ -49,6 +50,15 @@ std::string gaps_slug(const RunRecord& record) {
   std::string text = record.gaps;
   if (text.starts_with("trace(")) text = "trace-" + fs::path(text.substr(6, text.size() - 7)).stem().string();
   return fmt::format("{}-s{}", slug(text), record.seed);
+}
+
+/// "multistart-0050-backward", "once-latest-constant-20ms".
+std::string protocol_slug(const RunRecord& record) {
+  std::string text(to_string(record.protocol));
+  if (record.anchor)
+    text += fmt::format("-{:04}-{}", record.anchor->frame, to_string(record.anchor->direction));
+  if (!record.real_time.empty()) text += fmt::format("-{}-{}", slug(record.real_time), slug(record.latency));
+  return text;
 }
 
 std::string timing_csv(const std::vector<FrameCost>& costs) {
@@ -100,6 +110,11 @@ StoredRun read_run(const fs::path& folder, const Recording& recording) {
   if (run.trajectory.frames.size() < recording.frames() && !run.record.cut_short)
     throw Error(fmt::format("{} ends at frame {} of {}; it was cut off: remove its folder and run again",
                             path.string(), run.trajectory.frames.size(), recording.frames()));
+  if (!run.record.real_time.empty()) {
+    const fs::path answers = folder / "answers.csv";
+    std::istringstream rows(read_file(answers));
+    run.answers = read_answers(rows, answers.string(), recording);
+  }
   return run;
 }
 
@@ -130,6 +145,18 @@ std::vector<fs::path> runs_in(const fs::path& comparison) {
   for (const auto& entry : fs::directory_iterator(comparison))
     if (holds_run(entry.path())) runs.push_back(entry.path());
   return runs;
+}
+
+/// Runs of one comparison were all played the same way. One that cannot be read is told of later.
+Recording as_played(Recording recorded, const std::vector<fs::path>& run_folders) {
+  for (const fs::path& run : run_folders) {
+    try {
+      const auto anchor = read_record(run / "run.json").anchor;
+      return anchor && anchor->direction == Direction::backward ? reflected(recorded) : std::move(recorded);
+    } catch (const Error&) {
+    }
+  }
+  return recorded;
 }
 
 /// Throws Error when a run was made from other pictures, times or labels than the truth beside it.
@@ -206,7 +233,7 @@ void store_truth(const fs::path& out, const Recording& recording, const std::str
 }
 
 fs::path run_folder(const fs::path& out, const RunRecord& record) {
-  return out / slug(record.recording) / fmt::format("{}-{}", gaps_slug(record), to_string(record.protocol)) /
+  return out / slug(record.recording) / fmt::format("{}-{}", gaps_slug(record), protocol_slug(record)) /
          slug(record.method);
 }
 
@@ -228,6 +255,11 @@ void store_run(const fs::path& folder, const FinishedRun& run) {
   try {
     write_file(draft / "trajectory.csv", run.trajectory);
     write_file(draft / "timing.csv", timing_csv(run.costs));
+    if (!run.record.real_time.empty()) {
+      std::ostringstream answers;
+      write_answers(answers, run.answers);
+      write_file(draft / "answers.csv", answers.str());
+    }
     write_file(draft / "run.json", to_json_text(run.record));
   } catch (const Error&) {
     std::error_code ignored;
@@ -262,7 +294,7 @@ std::optional<StoredComparison> read_comparison(const FoundComparison& found,
     if (!fs::exists(truth))
       throw Error(
           fmt::format("{} is missing: runs cannot be scored without the truth beside them", truth.string()));
-    comparison.recording = read_truth(truth);
+    comparison.recording = as_played(read_truth(truth), found.runs);
   } catch (const Error& fault) {
     on_unreadable(fault.what());
     return {};

@@ -17,7 +17,8 @@ namespace relock {
 //   OUT/relock-results.json                       says that the folder is relock's
 //   OUT/.lock                                     held by the program that writes here
 //   OUT/RECORDING/recording/                      truth: recording.toml, timestamps.csv, labels.csv
-//   OUT/RECORDING/GAPS-PROTOCOL/METHOD/           one run: run.json, trajectory.csv, timing.csv;
+//   OUT/RECORDING/GAPS-PROTOCOL/METHOD/           one run: run.json, trajectory.csv, timing.csv,
+//                                                 answers.csv (real time);
 //                                                 `relock score` adds scores.json, events.csv, verdicts.csv
 // A run folder is written under a temporary name and renamed when it is complete.
 
@@ -26,11 +27,12 @@ struct StoredRun {
   std::filesystem::path folder;
   RunRecord record;
   Trajectory trajectory;
+  std::vector<Answer> answers = {};  ///< real time
 };
 /// All runs on one recording with the same gaps and protocol: what may stand in one table.
 struct StoredComparison {
   std::filesystem::path folder;
-  Recording recording;
+  Recording recording;          ///< as it was played
   std::vector<StoredRun> runs;  ///< by name; yardsticks last
 };
 
@@ -70,6 +72,7 @@ struct FinishedRun {
   RunRecord record;
   std::string trajectory;  ///< trajectory.csv
   std::vector<FrameCost> costs;
+  std::vector<Answer> answers = {};  ///< real time: answers.csv
 };
 /// Writes a run, in the place of an older one: whole or not at all.
 void store_run(const std::filesystem::path& folder, const FinishedRun& run);

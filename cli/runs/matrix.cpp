@@ -12,6 +12,7 @@
 #include "cli/version.h"
 #include "core/error.h"
 #include "sequences/gaps.h"
+#include "sequences/reversed.h"
 
 namespace relock {
 namespace {
@@ -39,6 +40,38 @@ std::vector<FrameIndex> start_frames(const Recording& recording) {
   return frames;
 }
 
+/// Likewise, of all runs of protocol multistart: every one of them loses the same frames.
+std::vector<FrameIndex> start_frames(const Recording& recording, const std::vector<Anchor>& anchors) {
+  const Recording turned = reflected(recording);
+  const auto last = static_cast<FrameIndex>(recording.frames()) - 1;
+  std::vector<FrameIndex> frames;
+  for (const Anchor& anchor : anchors) {
+    const bool forward = anchor.direction == Direction::forward;
+    for (const auto& start :
+         first_startable(forward ? recording : turned, start_of(anchor, recording.frames())))
+      if (start) frames.push_back(forward ? *start : last - *start);
+  }
+  return frames;
+}
+
+/// One for every run of protocol multistart.
+void add_anchored(std::vector<Condition>& all, const Condition& of_all, const Recording& recording,
+                  const GapPattern& pattern) {
+  const auto from = anchors(recording);
+  if (from.empty())
+    throw Error(
+        fmt::format("{} is too short for protocol multistart: no target can be started with {} frames "
+                    "left to play, forward or backward; use protocol once",
+                    recording.name, MultistartOptions{}.fewest));
+  const Schedule schedule =
+      pattern.apply(recording.captured, recording.period, of_all.seed, start_frames(recording, from));
+  for (const Anchor& anchor : from) {
+    all.push_back(of_all);
+    all.back().anchor = anchor;
+    all.back().schedule = anchor.direction == Direction::forward ? schedule : reflected(schedule);
+  }
+}
+
 std::vector<Condition> conditions(const Plan& plan, const std::vector<Sequence>& sequences) {
   std::vector<Condition> all;
   std::vector<GapPattern> patterns;
@@ -47,9 +80,21 @@ std::vector<Condition> conditions(const Plan& plan, const std::vector<Sequence>&
     const Recording& recording = sequences[s].recording;
     for (const GapPattern& pattern : patterns)
       for (const Protocol protocol : plan.protocols)
-        for (const std::uint64_t seed : plan.seeds)
-          all.push_back({s, pattern.text(), protocol, seed, plan.gate,
-                         pattern.apply(recording.captured, recording.period, seed, start_frames(recording))});
+        for (const std::uint64_t seed : plan.seeds) {
+          const Condition condition{
+              s,
+              pattern.text(),
+              protocol,
+              seed,
+              plan.gate,
+              pattern.apply(recording.captured, recording.period, seed, start_frames(recording)),
+              plan.real_time};
+          if (protocol == Protocol::multistart) {
+            add_anchored(all, condition, recording, pattern);
+          } else {
+            all.push_back(condition);
+          }
+        }
   }
   return all;
 }
@@ -74,6 +119,10 @@ std::string hindrance(const ChosenMethod& method, const Condition& condition, co
   if (method.needs_start && condition.protocol == Protocol::detect)
     return fmt::format("{} needs a box to start from, and protocol detect gives none; use once or reset",
                        method.text);
+  if (!method.takes_boxes && condition.protocol == Protocol::vot)
+    return fmt::format(
+        "{} takes no box, and protocol vot counts how often one has to be handed over; use once or detect",
+        method.text);
   const auto asked = asked_about(method, recording);
   if (std::find(asked.begin(), asked.end(), true) == asked.end())
     return fmt::format(
@@ -94,15 +143,35 @@ RunRecord record_of(const Matrix& matrix, const PlannedRun& run, const std::stri
   record.method = run.method.text;
   record.options = run.method.options;
   record.gaps = condition.gaps;
-  for (std::size_t frame = 0; frame < condition.schedule.frames(); ++frame)
-    if (!condition.schedule.delivered(frame)) record.dropped.push_back(static_cast<FrameIndex>(frame));
+  const bool backward = condition.anchor && condition.anchor->direction == Direction::backward;
+  const Schedule as_recorded = backward ? reflected(condition.schedule) : condition.schedule;
+  for (std::size_t frame = 0; frame < as_recorded.frames(); ++frame)
+    if (!as_recorded.delivered(frame)) record.dropped.push_back(static_cast<FrameIndex>(frame));
+  record.anchor = condition.anchor;
   record.seed = condition.seed;
   record.protocol = condition.protocol;
   if (condition.protocol == Protocol::reset) record.gate = to_string(condition.gate);
+  if (condition.real_time) {
+    record.real_time = to_string(condition.real_time->waiting);
+    record.latency = condition.real_time->latency.text;
+  }
   record.yardstick = run.method.yardstick;
   record.reads_codes = run.method.reads_codes;
-  record.deterministic = run.method.deterministic;
+  const bool measured = condition.real_time && condition.real_time->latency.kind == Latency::Kind::measured;
+  record.deterministic = run.method.deterministic && !measured;
   return record;
+}
+
+/// Throws Error when a protocol has no real time.
+void check_real_time(const Plan& plan) {
+  if (!plan.real_time) return;
+  for (const Protocol protocol : plan.protocols)
+    if (protocol == Protocol::multistart || protocol == Protocol::vot)
+      throw Error(
+          fmt::format("protocol {} has no real time: {}; use once, reset or detect, or leave out real time",
+                      to_string(protocol),
+                      protocol == Protocol::vot ? "it counts frames, and wants an answer to every one"
+                                                : "half of its runs go backward"));
 }
 
 /// Adds the runs of one condition. `fits`: for each method, whether it was found to fit anywhere.
@@ -147,6 +216,7 @@ void settle_folders(Matrix& matrix, const Plan& plan) {
 }  // namespace
 
 Matrix multiply_out(const Plan& plan, const Methods& methods) {
+  check_real_time(plan);
   const auto chosen = chosen_methods(plan, methods);
   for (const std::string& text : plan.gaps) GapPattern::parse(text);  // told before anything is opened
   Matrix matrix;
@@ -164,10 +234,27 @@ Matrix multiply_out(const Plan& plan, const Methods& methods) {
   return matrix;
 }
 
-std::size_t delivered_frames(const Condition& condition) {
+Played played(const Matrix& matrix, const PlannedRun& run) {
+  const Sequence& sequence = matrix.sequence_of(run);
+  const std::optional<Anchor>& anchor = matrix.condition_of(run).anchor;
+  if (!anchor) return {sequence.recording, sequence.frames};
+  const FrameIndex from = start_of(*anchor, sequence.recording.frames());
+  if (anchor->direction == Direction::forward) return {sequence.recording, sequence.frames, from};
+  return {reflected(sequence.recording), [frames = sequence.frames] { return reversed(frames); }, from};
+}
+
+std::size_t shown_frames(const Condition& condition) {
+  std::size_t count = 0;
+  const FrameIndex from = condition.anchor ? start_of(*condition.anchor, condition.schedule.frames()) : 0;
+  for (auto frame = static_cast<std::size_t>(from); frame < condition.schedule.frames(); ++frame)
+    count += condition.schedule.delivered(frame) ? 1 : 0;
+  return count;
+}
+
+std::size_t dropped_frames(const Condition& condition) {
   std::size_t count = 0;
   for (std::size_t frame = 0; frame < condition.schedule.frames(); ++frame)
-    count += condition.schedule.delivered(frame) ? 1 : 0;
+    count += condition.schedule.delivered(frame) ? 0 : 1;
   return count;
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +11,7 @@
 #include "cli/runs/plan.h"
 #include "cli/runs/record.h"
 #include "core/schedule.h"
+#include "eval/multistart.h"
 #include "sequences/open.h"
 
 namespace relock {
@@ -19,7 +23,9 @@ struct Condition {
   Protocol protocol = Protocol::once;
   std::uint64_t seed = 1;
   Gate gate = {};
-  Schedule schedule;
+  Schedule schedule;  ///< of the frames as they are played
+  std::optional<RealTime> real_time = {};
+  std::optional<Anchor> anchor = {};  ///< protocol multistart
 };
 
 /// One run that a plan asks for.
@@ -49,7 +55,17 @@ struct Matrix {
 /// something else are in the way.
 Matrix multiply_out(const Plan& plan, const Methods& methods);
 
-/// Frames that are delivered in a run.
-std::size_t delivered_frames(const Condition& condition);
+/// What a run is played: frames in the order in which they are shown, and what is true of them.
+struct Played {
+  Recording recording;
+  std::function<std::unique_ptr<FrameSource>()> frames;
+  FrameIndex from = 0;  ///< nothing before it is shown
+};
+Played played(const Matrix& matrix, const PlannedRun& run);
+
+/// Frames that a method is shown in a run.
+std::size_t shown_frames(const Condition& condition);
+/// Frames that the pattern took.
+std::size_t dropped_frames(const Condition& condition);
 
 }  // namespace relock

@@ -2,19 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
 #include <type_traits>
 
+#include "cli/files.h"
 #include "core/error.h"
 #include "core/toml_table.h"
+#include "eval/answers_csv.h"
 
 namespace relock {
 namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kKeys{"sequences",     "sequence",        "methods", "gaps",
-                                     "protocols",     "seeds",           "gate",    "out",
-                                     "frame_limit_s", "memory_limit_mb", "paired"};
+const std::vector<std::string> kKeys{"sequences", "sequence", "methods", "gaps",          "protocols",
+                                     "seeds",     "gate",     "out",     "frame_limit_s", "memory_limit_mb",
+                                     "real_time", "latency",  "paired"};
 const std::vector<std::string> kSequenceKeys{"path", "labels", "rate_hz", "format", "topic"};
 const std::vector<std::string> kMethodKeys{"name", "options"};
 
@@ -37,6 +40,7 @@ class PlanReader {
     for (const toml::node* node : root_.list("seeds")) plan.seeds.push_back(seed(*node));
     if (const auto gate = root_.word("gate"))
       plan.gate = told_here(*root_.node("gate"), [&] { return parse_gate(*gate); });
+    read_real_time(plan);
     plan.out = beside(root_.word("out").value_or(plan.out.string()));
     plan.limits.frame_s = root_.positive("frame_limit_s", 0.01, 1e6).value_or(plan.limits.frame_s);
     plan.limits.memory_mb = root_.positive("memory_limit_mb", 1, 1e9).value_or(plan.limits.memory_mb);
@@ -104,6 +108,17 @@ class PlanReader {
     return fmt::format("{}{})", kTrace, beside(file).string());
   }
 
+  void read_real_time(Plan& plan) {
+    const auto waiting = root_.word("real_time"), latency = root_.word("latency");
+    if (latency && !waiting)
+      root_.fail(*root_.node("latency"), "a latency needs real_time beside it: latest or queue(n)");
+    if (!waiting) return;
+    const bool file = latency && fs::exists(beside(*latency));
+    plan.real_time = told_here(*root_.node("real_time"), [&] {
+      return parse_real_time(*waiting, file ? beside(*latency).string() : latency.value_or("measured"));
+    });
+  }
+
   std::uint64_t seed(const toml::node& node) const {
     const auto found = node.value_exact<std::int64_t>();
     if (!found || *found < 0) root_.fail(node, "a seed is a whole number from 0");
@@ -147,6 +162,20 @@ void pair_up(Plan& plan) {
     throw Error("a paired experiment compares a gap pattern with what was recorded; say which one (gaps)");
   plan.gaps.insert(plan.gaps.begin(), "none");
   plan.paired = true;
+}
+
+RealTime parse_real_time(const std::string& waiting, const std::string& latency) {
+  RealTime real_time{parse_waiting(waiting), {}};
+  if (!fs::is_regular_file(latency)) {
+    real_time.latency = parse_latency(latency);
+    return real_time;
+  }
+  std::istringstream text(read_file(latency));
+  real_time.latency = read_latencies(text, latency);
+  // Its place may change, its content may not.
+  real_time.latency.text =
+      fmt::format("{} {}", fs::path(latency).filename().string(), file_fingerprint(latency).substr(0, 12));
+  return real_time;
 }
 
 Plan read_plan(const fs::path& file) {

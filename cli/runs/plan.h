@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,8 @@ struct RunLimits {
 ///     paired = true                                   # as recorded, too: what do the gaps cost?
 ///     seeds = [1, 2, 3]                               # else 1
 ///     gate = "centre"                                 # by which protocol reset judges losses
+///     real_time = "latest"                            # or "queue(3)"; else a method may take all the time it wants
+///     latency = "constant(20ms)"                      # or a file (columns frame, wall_ms); else measured
 ///     out = "results"
 ///     frame_limit_s = 60
 ///     memory_limit_mb = 4096
@@ -47,6 +50,7 @@ struct Plan {
   std::vector<std::uint64_t> seeds{1};
   Gate gate = {};
   bool paired = false;  ///< `gaps` holds "none", too, and the arms are compared
+  std::optional<RealTime> real_time = {};
   std::filesystem::path out = "results";
   RunLimits limits = {};
 };
@@ -54,6 +58,10 @@ struct Plan {
 /// Makes a paired gap experiment of a plan: every gap pattern is compared with what was recorded. Throws Error
 /// when the plan has no pattern.
 void pair_up(Plan& plan);
+
+/// `waiting` and `latency` as they are typed; a latency that is neither measured nor constant is the path of a file.
+/// Throws Error when they are none.
+RealTime parse_real_time(const std::string& waiting, const std::string& latency);
 
 /// Throws Error with file, line and column.
 Plan read_plan(const std::filesystem::path& file);

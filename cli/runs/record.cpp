@@ -22,6 +22,10 @@ Json to_json(const Failure& failure) {
   return {{"frame", failure.frame}, {"what", failure.what}, {"output", failure.output}};
 }
 
+Json to_json(const Anchor& anchor) {
+  return {{"frame", anchor.frame}, {"direction", to_string(anchor.direction)}};
+}
+
 Json inputs_json(const RunRecord& r) {
   return {{"relock", r.relock_version},
           {"program", r.program},
@@ -34,7 +38,10 @@ Json inputs_json(const RunRecord& r) {
           {"dropped", r.dropped},
           {"seed", r.seed},
           {"protocol", to_string(r.protocol)},
-          {"gate", r.gate.empty() ? Json() : Json(r.gate)}};
+          {"anchor", r.anchor ? to_json(*r.anchor) : Json()},
+          {"gate", r.gate.empty() ? Json() : Json(r.gate)},
+          {"real_time", r.real_time.empty() ? Json() : Json(r.real_time)},
+          {"latency", r.latency.empty() ? Json() : Json(r.latency)}};
 }
 
 Json to_json(const RunRecord& r) {
@@ -63,6 +70,11 @@ Failure failure_from(const Json& json) {
           json.at("output").get<std::string>()};
 }
 
+std::string text_or_nothing(const Json& json, const char* key) {
+  const Json value = json.value(key, Json());
+  return value.is_null() ? std::string() : value.get<std::string>();
+}
+
 RunRecord record_from(const Json& json) {
   RunRecord r;
   const Json& inputs = json.at("inputs");
@@ -77,7 +89,11 @@ RunRecord record_from(const Json& json) {
   r.dropped = inputs.at("dropped").get<std::vector<FrameIndex>>();
   r.seed = inputs.at("seed");
   r.protocol = parse_protocol(inputs.at("protocol").get<std::string>());
+  if (const Json anchor = inputs.value("anchor", Json()); !anchor.is_null())
+    r.anchor = Anchor{anchor.at("frame"), parse_direction(anchor.at("direction").get<std::string>())};
   if (!inputs.at("gate").is_null()) r.gate = inputs.at("gate");
+  r.real_time = text_or_nothing(inputs, "real_time");
+  r.latency = text_or_nothing(inputs, "latency");
   r.yardstick = json.at("yardstick");
   r.reads_codes = json.at("reads_codes");
   r.deterministic = json.at("deterministic");
@@ -101,6 +117,14 @@ bool RunRecord::same_inputs(const RunRecord& other) const { return inputs_json(*
 
 bool RunRecord::same_conditions(const RunRecord& other) const {
   return conditions(*this) == conditions(other);
+}
+
+std::string spoken_protocol(const RunRecord& record) {
+  std::string text = fmt::format("protocol {}", to_string(record.protocol));
+  if (record.anchor) text += fmt::format(" from {}", to_string(*record.anchor));
+  if (!record.real_time.empty())
+    text += fmt::format(", real time {}, latency {}", record.real_time, record.latency);
+  return text;
 }
 
 std::string to_json_text(const RunRecord& record) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "eval/multistart.h"
 #include "eval/replay.h"
 
 namespace relock {
@@ -21,10 +22,14 @@ struct RunRecord {
   std::string method;                          ///< as it would be typed
   std::map<std::string, std::string> options;  ///< of the method, defaults too
   std::string gaps;                            ///< pattern, "none" as recorded
-  std::vector<FrameIndex> dropped;             ///< frames that the pattern took
+  std::vector<FrameIndex> dropped;             ///< frames that the pattern took, counted as recorded
   std::uint64_t seed = 1;
   Protocol protocol = Protocol::once;
-  std::string gate;  ///< by which protocol reset judged losses; empty otherwise
+  std::optional<Anchor> anchor;  ///< protocol multistart; frames of a backward run are counted as played
+  std::string gate;              ///< by which protocol reset judged losses; empty otherwise
+
+  std::string real_time;  ///< which frames wait for a busy method; empty: it had all the time it wanted
+  std::string latency;    ///< then, of its answers
 
   // What it was.
   bool yardstick = false;
@@ -40,6 +45,9 @@ struct RunRecord {
   /// Whether both may stand in one table: the same inputs but for the method and the program.
   bool same_conditions(const RunRecord& other) const;
 };
+
+/// "protocol once, real time latest, latency constant(20ms)", "protocol multistart from frame 50 backward": how methods were shown the recording, for headings.
+std::string spoken_protocol(const RunRecord& record);
 
 /// run.json, as text and back.
 std::string to_json_text(const RunRecord& record);

@@ -14,9 +14,10 @@ namespace relock {
 namespace {
 
 // Messages of a worker, by their first letter.
-constexpr char kNotMade = 'n';   // why
-constexpr char kAsking = 'a';    // frame, then the targets given in it
-constexpr char kReported = 'r';  // wall and CPU nanoseconds, a line's end, rows of trajectory.csv
+constexpr char kNotMade = 'n';  // why
+constexpr char kAsking = 'a';   // frame, then the targets given in it
+constexpr char kReported =
+    'r';  // wall and CPU nanoseconds, real time: when it was there; a line's end, rows of trajectory.csv
 constexpr char kFinished = 'f';  // run.json
 
 std::vector<std::int64_t> numbers_in(std::string_view text) {
@@ -31,23 +32,25 @@ std::vector<std::int64_t> numbers_in(std::string_view text) {
   return all;
 }
 
-ReplayOptions replay_options(const Condition& condition, const PlannedRun& run) {
+ReplayOptions replay_options(const Condition& condition, const PlannedRun& run, const Played& played) {
   ReplayOptions options;
   options.protocol = condition.protocol;
   options.gate = condition.gate;
   options.reads_codes = run.method.reads_codes;
   options.asked = run.asked;
+  options.from = played.from;
+  options.real_time = condition.real_time;
   return options;
 }
 
 /// What the worker does: its life is told frame by frame.
 void replay_and_tell(const Matrix& matrix, const PlannedRun& run, const Tell& tell) {
   const Condition& condition = matrix.condition_of(run);
-  const Sequence& sequence = matrix.sequence_of(run);
-  const auto source = sequence.frames();
+  const Played played = relock::played(matrix, run);
+  const auto source = played.frames();
   std::unique_ptr<Method> method;
   try {
-    method = run.method.make(sequence.recording, condition.seed);
+    method = run.method.make(played.recording, condition.seed);
   } catch (const std::exception& fault) {
     tell(kNotMade + std::string(fault.what()));
     return;
@@ -55,7 +58,7 @@ void replay_and_tell(const Matrix& matrix, const PlannedRun& run, const Tell& te
     tell(kNotMade + std::string("threw something that is no exception when it was made"));
     return;
   }
-  ReplayOptions options = replay_options(condition, run);
+  ReplayOptions options = replay_options(condition, run, played);
   options.asking = [&](FrameIndex frame, const std::vector<std::size_t>& given) {
     tell(fmt::format("{}{}{}{}", kAsking, frame, given.empty() ? "" : ",", fmt::join(given, ",")));
   };
@@ -64,11 +67,14 @@ void replay_and_tell(const Matrix& matrix, const PlannedRun& run, const Tell& te
     const std::size_t frame = so_far.trajectory.frames.size() - 1;
     const bool asked = !so_far.costs.empty() && so_far.costs.back().frame == static_cast<FrameIndex>(frame);
     const FrameCost cost = asked ? so_far.costs.back() : FrameCost{};
-    message = fmt::format("{}{},{}\n", kReported, cost.wall.count(), cost.cpu.count());
-    append_report(message, sequence.recording, so_far.trajectory, frame);
+    message = fmt::format("{}{},{}", kReported, cost.wall.count(), cost.cpu.count());
+    if (asked && !so_far.answers.empty() && so_far.answers.back().frame == cost.frame)
+      message += fmt::format(",{}", ns(so_far.answers.back().finished));
+    message += '\n';
+    append_report(message, played.recording, so_far.trajectory, frame);
     tell(message);
   };
-  const Replay replayed = replay(*method, *source, sequence.recording, condition.schedule, options);
+  const Replay replayed = replay(*method, *source, played.recording, condition.schedule, options);
   RunRecord record = run.record;
   record.judged_from = replayed.trajectory.judged_from;
   record.failed_from = replayed.trajectory.failed_from;
@@ -135,6 +141,10 @@ void Worker::hear(const std::string& message) {
       const std::size_t head = text.find('\n');
       const auto numbers = numbers_in(text.substr(0, head));
       if (asked_) costs_.push_back({*asked_, Duration(numbers.at(0)), Duration(numbers.at(1))});
+      if (asked_ && numbers.size() > 2) {
+        const auto& captured = matrix_.sequence_of(run_).recording.captured;
+        answers_.push_back({*asked_, captured[static_cast<std::size_t>(*asked_)], time_ns(numbers[2])});
+      }
       asked_.reset();
       ++frames_done_;
       rows_ += text.substr(head + 1);
@@ -146,7 +156,7 @@ void Worker::hear(const std::string& message) {
 }
 
 FinishedRun Worker::finished(const ChildEnd& end) {
-  FinishedRun done{run_.record, std::move(rows_), std::move(costs_)};
+  FinishedRun done{run_.record, std::move(rows_), std::move(costs_), std::move(answers_)};
   if (record_) {
     done.record = *std::move(record_);
   } else if (not_made_) {
@@ -161,10 +171,12 @@ FinishedRun Worker::finished(const ChildEnd& end) {
 
 void Worker::complete_failed(FinishedRun& done, const Failure& failure) {
   const Condition& condition = matrix_.condition_of(run_);
-  const Recording& recording = matrix_.sequence_of(run_).recording;
+  const Played played = relock::played(matrix_, run_);
+  const Recording& recording = played.recording;
   Trajectory trajectory;
   trajectory.reads_codes = run_.method.reads_codes;
-  trajectory.judged_from = judged_from(recording, condition.protocol, run_.method.takes_boxes, run_.asked);
+  trajectory.judged_from =
+      judged_from(recording, replay_options(condition, run_, played), run_.method.takes_boxes);
   trajectory.failed_from.resize(recording.targets.size());
   std::istringstream rows(done.trajectory);
   read_trajectory(rows, "a worker's answer", recording, trajectory);
@@ -182,16 +194,17 @@ std::optional<double> trial_seconds_per_frame(const Matrix& matrix, const Planne
   constexpr std::size_t kFrames = 10;
   using Clock = std::chrono::steady_clock;
   const Condition& condition = matrix.condition_of(run);
-  const Sequence& sequence = matrix.sequence_of(run);
+  const Played played = relock::played(matrix, run);
   std::size_t start = 0;
-  for (const auto& first : first_startable(sequence.recording))
+  for (const auto& first : first_startable(played.recording, played.from))
     if (first) start = std::max(start, static_cast<std::size_t>(*first));
-  const std::size_t end = std::min(start + kFrames, sequence.recording.frames());
+  const std::size_t end = std::min(start + kFrames, played.recording.frames());
   const auto trial = run_in_child(
       [&](const Tell& tell) {
-        const auto method = run.method.make(sequence.recording, condition.seed);
-        FirstFrames source(sequence.frames(), end);
-        ReplayOptions options = replay_options(condition, run);
+        const auto method = run.method.make(played.recording, condition.seed);
+        FirstFrames source(played.frames(), end);
+        ReplayOptions options = replay_options(condition, run, played);
+        options.real_time.reset();
         Clock::time_point begun = Clock::now();
         options.reported = [&](const Replay& so_far) {
           const std::size_t done = so_far.trajectory.frames.size();
@@ -200,7 +213,7 @@ std::optional<double> trial_seconds_per_frame(const Matrix& matrix, const Planne
             tell(fmt::format("{}", std::chrono::duration<double>(Clock::now() - begun).count() /
                                        static_cast<double>(done - start)));
         };
-        replay(*method, source, sequence.recording, Schedule(sequence.recording.frames()), options);
+        replay(*method, source, played.recording, Schedule(played.recording.frames()), options);
       },
       {.silence = std::chrono::seconds(20)});
   if (trial.messages.empty()) return {};

@@ -35,6 +35,7 @@ class Worker {
   const PlannedRun& run_;
   std::string rows_;  // of trajectory.csv
   std::vector<FrameCost> costs_;
+  std::vector<Answer> answers_;
   std::optional<FrameIndex> asked_;  // about this frame, and not answered yet
   std::vector<std::size_t> given_;   // in that frame
   std::size_t frames_done_ = 0;

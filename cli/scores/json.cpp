@@ -100,6 +100,24 @@ Json to_json(const Scores& s) {
           {"by_gap", bins(s.by_gap, gap_bin_name)}};
 }
 
+Json to_json(const RealTimeScores& s) {
+  const auto lost = [&](LostTo cause) { return s.lost[static_cast<std::size_t>(cause)]; };
+  const auto age = [&](double at) {
+    return s.answer_age_s.empty() ? Json() : number(percentile(s.answer_age_s, at));
+  };
+  return {{"own_frames", s.own},
+          {"own_hits", s.own_hits},
+          {"delivered", s.delivered},
+          {"skipped", s.skipped},
+          {"in_force", s.in_force},
+          {"hits", s.hits},
+          {"lost_to_slowness", lost(LostTo::slowness)},
+          {"lost_to_gaps", lost(LostTo::gaps)},
+          {"lost_to_failure", lost(LostTo::failure)},
+          {"answer_age_median_s", age(0.5)},
+          {"answer_age_p95_s", age(0.95)}};
+}
+
 Json to_json(const MethodPool& pool, const JudgedMethod& method) {
   Json intervals, standings;
   for (std::size_t i = 0; i < kShareScores; ++i) {
@@ -115,6 +133,7 @@ Json to_json(const MethodPool& pool, const JudgedMethod& method) {
           {"recordings", pool.frames.size()},
           {"scores", to_json(method.scores)},
           {"common", to_json(method.common)},
+          {"real_time", pool.real_time.in_force > 0 ? to_json(pool.real_time) : Json()},
           {"intervals", intervals},
           {"standings", standings}};
 }
@@ -127,8 +146,11 @@ Json to_json(const JudgedTable& judged) {
   return {{"protocol", table.conditions.protocol},
           {"gaps", table.conditions.gaps},
           {"gate", table.conditions.gate},
+          {"real_time", table.conditions.real_time},
+          {"latency", table.conditions.latency},
           {"recordings", table.recordings},
           {"seeds", table.seeds},
+          {"starts", table.starts},
           {"by", to_string(table.grouping)},
           {"group", table.group},
           {"methods", methods}};

@@ -53,6 +53,13 @@ MethodPool& pool_of(ScoreTable& table, const RunRecord& record) {
   return table.methods.back();
 }
 
+/// Of each target; nothing where runs were not made in real time.
+std::vector<RealTimeScores> real_time_scores(const ScoredComparison& compared, std::size_t run) {
+  const StoredRun& stored = compared.stored.runs[run];
+  if (stored.record.real_time.empty()) return {};
+  return score_real_time(compared.stored.recording, stored.trajectory, stored.answers, compared.gate);
+}
+
 bool asked(const ScoredComparison& compared, std::size_t run, std::size_t target) {
   return compared.stored.runs[run].trajectory.judged_from[target].has_value();
 }
@@ -81,10 +88,12 @@ void ScorePool::add(const ScoredComparison& compared) {
   const auto parts = parts_of(compared.stored.recording);
   for (std::size_t run = 0; run < compared.stored.runs.size(); ++run) {
     MethodPool* pool = nullptr;
+    const auto real_time = real_time_scores(compared, run);
     for (const Part& part : parts) {
       if (!asked(compared, run, part.target)) continue;
       pool = &pool_of(table_of(compared, part), compared.stored.runs[run].record);
       add_part(compared, run, part, *pool);
+      if (!real_time.empty() && !part.bin) pool->real_time += real_time[part.target];
     }
     const bool all_targets = grouping_ == Grouping::none || grouping_ == Grouping::recording;
     if (pool != nullptr) ++pool->runs;
@@ -111,13 +120,14 @@ std::vector<ScorePool::Part> ScorePool::parts_of(const Recording& recording) con
 ScoreTable& ScorePool::table_of(const ScoredComparison& compared, const Part& part) {
   const RunRecord& record = compared.stored.runs.front().record;
   const TableConditions conditions{std::string(to_string(record.protocol)), record.gaps,
-                                   to_string(compared.gate)};
+                                   to_string(compared.gate), record.real_time, record.latency};
   ScoreTable& table = tables_[{conditions, part.bin.value_or(0), part.group}];
   table.conditions = conditions;
   table.grouping = grouping_;
   table.group = part.group;
   table.recordings.insert(compared.stored.recording.name);
   table.seeds.insert(record.seed);
+  if (record.anchor) table.starts.insert(to_string(*record.anchor));
   return table;
 }
 
@@ -154,7 +164,7 @@ void ScorePool::add_what_is_of_all_targets(const ScoredComparison& compared, std
   if (!record.failures.empty()) pool.failures.push_back(record.failures.front());
 }
 
-void ScorePool::add_frames(const ScoredComparison& compared, std::size_t,
+void ScorePool::add_frames(const ScoredComparison& compared, std::size_t run,
                            const std::vector<Contribution>& frames, MethodPool& pool) const {
   std::vector<Contribution>& all = pool.frames[compared.stored.recording.name];
   if (recordings_ >= kRecordingsToResample) {
@@ -163,7 +173,10 @@ void ScorePool::add_frames(const ScoredComparison& compared, std::size_t,
     return;
   }
   all.resize(std::max(all.size(), frames.size()));
-  for (std::size_t frame = 0; frame < frames.size(); ++frame) all[frame] += frames[frame];
+  const auto& anchor = compared.stored.runs[run].record.anchor;
+  const bool backward = anchor && anchor->direction == Direction::backward;
+  for (std::size_t frame = 0; frame < frames.size(); ++frame)
+    all[backward ? frames.size() - 1 - frame : frame] += frames[frame];
 }
 
 std::vector<ScoreTable> ScorePool::tables() && {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/comparison.h"
+#include "eval/in_force.h"
 
 namespace relock {
 
@@ -25,7 +26,8 @@ struct MethodPool {
   bool deterministic = true;
   std::size_t runs = 0;
   Tally tally;
-  std::vector<Fix> common;  ///< Hits common to all methods asked about the target, yardsticks apart
+  RealTimeScores real_time;  ///< of runs made in real time
+  std::vector<Fix> common;   ///< Hits common to all methods asked about the target, yardsticks apart
   /// What each frame of each recording added, over all runs on it: one element where frames are not kept apart.
   std::map<std::string, std::vector<Contribution>> frames;
   std::map<std::string, std::vector<double>> errors_px;     ///< of the Hits on each recording, in order
@@ -38,6 +40,8 @@ struct TableConditions {
   std::string protocol;
   std::string gaps;  ///< pattern, "none" as recorded
   std::string gate;
+  std::string real_time;  ///< which frames waited for a busy method; empty: it had all the time it wanted
+  std::string latency;
   friend auto operator<=>(const TableConditions&, const TableConditions&) = default;
 };
 
@@ -48,6 +52,7 @@ struct ScoreTable {
   std::string group;  ///< which recording, target, code or bin; empty: all of them
   std::set<std::string> recordings;
   std::set<std::uint64_t> seeds;
+  std::set<std::string> starts;     ///< protocol multistart: "frame 50 backward"
   std::vector<MethodPool> methods;  ///< by name, yardsticks last
 
   /// How many targets methods were scored on, over all recordings.

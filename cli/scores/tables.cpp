@@ -70,6 +70,11 @@ enum : std::size_t {
   kLockedOfCeiling
 };
 
+std::string part_cell(std::size_t part, std::size_t whole) {
+  if (whole == 0) return "n/a";
+  return fmt::format("{:.3f}", static_cast<double>(part) / static_cast<double>(whole));
+}
+
 std::string seeds_text(const std::set<std::uint64_t>& seeds) {
   return fmt::format("{} {}", seeds.size() == 1 ? "seed" : "seeds", fmt::join(seeds, ", "));
 }
@@ -83,7 +88,10 @@ std::string heading(const ScoreTable& table) {
   const TableConditions& c = table.conditions;
   const std::string gaps =
       c.gaps == "none" ? "as recorded" : fmt::format("gaps {} ({})", c.gaps, seeds_text(table.seeds));
-  return fmt::format("{}, {}, protocol {}, gate {}", what, gaps, c.protocol, c.gate);
+  const std::string starts = table.starts.empty() ? "" : fmt::format(" ({} starts)", table.starts.size());
+  const std::string real_time =
+      c.real_time.empty() ? "" : fmt::format(", real time ({}, latency {})", c.real_time, c.latency);
+  return fmt::format("{}, {}, protocol {}{}, gate {}{}", what, gaps, c.protocol, starts, c.gate, real_time);
 }
 
 Table keeping_table(const JudgedTable& judged) {
@@ -111,6 +119,23 @@ Table exactness_table(const JudgedTable& judged) {
                cell(l.median_percent, 1), fix_cell(m.common, m.common.median_px)});
   }
   return table;
+}
+
+Table real_time_table(const ScoreTable& table) {
+  Table lines({"method", "own frames", "skipped", "in force", "slowness", "gaps", "failure", "age s", "p95"});
+  for (const MethodPool& method : table.methods) {
+    const RealTimeScores& s = method.real_time;
+    const auto lost = [&](LostTo cause) {
+      return part_cell(s.lost[static_cast<std::size_t>(cause)], s.in_force);
+    };
+    const auto age = [&](double at) {
+      return s.answer_age_s.empty() ? "n/a" : age_cell(percentile(s.answer_age_s, at));
+    };
+    lines.add({method.method, part_cell(s.own_hits, s.own), part_cell(s.skipped, s.delivered),
+               part_cell(s.hits, s.in_force), lost(LostTo::slowness), lost(LostTo::gaps),
+               lost(LostTo::failure), age(0.5), age(0.95)});
+  }
+  return lines;
 }
 
 Table bins_table(const std::vector<const JudgedTable*>& bins) {
@@ -141,6 +166,13 @@ std::string_view table_footnote() {
   Kaplan-Meier median, > where no more than half recovered while watched. silent: share of lost time with a wrong answer.
   age s: of the newest Hit, median and p95. e px, p95, % D: position error over Hits, < where it is below the accuracy of
   the labels (two standard deviations). common e: over Hits common to all methods.
+)";
+}
+
+std::string_view real_time_footnote() {
+  return R"(
+  own frames: recognition on the frames that the method came to, skipped ones being no Hits. in force, and lost to
+  slowness, gaps and failure: of the visible frames, by the answer that was there; they add up to 1. age s: of that answer.
 )";
 }
 

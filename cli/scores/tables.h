@@ -21,10 +21,14 @@ std::string heading(const ScoreTable& table);
 Table keeping_table(const JudgedTable& judged);
 /// What it says and how exactly: precision, silent share, fix age, localization.
 Table exactness_table(const JudgedTable& judged);
+/// What methods saw of the recording in real time, what a controller had of their answers, and what was lost to
+/// slowness, gaps and failure.
+Table real_time_table(const ScoreTable& table);
 /// Recognition, a column for each bin; all tables have the same conditions.
 Table bins_table(const std::vector<const JudgedTable*>& bins);
 
 /// What the columns mean.
 std::string_view table_footnote();
+std::string_view real_time_footnote();
 
 }  // namespace relock

@@ -31,7 +31,9 @@ struct Scene {
 
 inline bool not_started(const Scene& scene, std::size_t t) {
   const auto from = scene.trajectory.judged_from[t];
-  return !from || static_cast<FrameIndex>(scene.frame) < *from;
+  const FrameReport& report = scene.trajectory.frames[scene.frame];
+  const bool withheld = std::find(report.withheld.begin(), report.withheld.end(), t) != report.withheld.end();
+  return withheld || !from || static_cast<FrameIndex>(scene.frame) < *from;
 }
 inline bool given(const Scene& scene, std::size_t t) {
   const auto& given = scene.trajectory.frames[scene.frame].given;

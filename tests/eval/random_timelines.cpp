@@ -226,6 +226,7 @@ Trajectory some_trajectory(Random& random, const Recording& recording) {
   const bool tracker = random.chance(0.6);
   const double shouting = one_of(random, {0.0, 0.05, 0.5}), resets = one_of(random, {0.0, 0.0, 0.04, 0.2});
   const double dropped = one_of(random, {0.0, 0.0, 0.1, 0.4}), skipped = one_of(random, {0.0, 0.0, 0.0, 0.3});
+  const double withheld = one_of(random, {0.0, 0.0, 0.0, 0.2});
   const int patience = one_of(random, {4, 10, 20, 40});
   const double temper = one_of(random, {0.3, 0.5, 0.7});
   const Mood vice = any_bad_mood(random);
@@ -275,6 +276,8 @@ Trajectory some_trajectory(Random& random, const Recording& recording) {
         started[t] = true;
         follower.mood = Mood::follow;
       }
+      if (!std::binary_search(report.given.begin(), report.given.end(), t) && random.chance(withheld))
+        report.withheld.push_back(t);
       if (!judged && random.chance(0.5)) continue;
       if (const auto sighting = follower.look(random, recording, k)) report.sightings.push_back(*sighting);
     }
