@@ -19,13 +19,14 @@ Time end_of(const Recording& recording, std::size_t frame) {
 
 /// Whether the method has failed for good: whoever asks it hears nothing any more.
 bool gone(const Trajectory& trajectory, std::size_t frame) {
-  const auto failed = [&](std::size_t t) {
+  bool any = false;
+  for (std::size_t t = 0; t < trajectory.failed_from.size(); ++t) {
     const auto& from = trajectory.failed_from[t];
-    return !trajectory.judged_from[t] || (from && *from <= static_cast<FrameIndex>(frame));
-  };
-  for (std::size_t t = 0; t < trajectory.failed_from.size(); ++t)
-    if (!failed(t)) return false;
-  return true;
+    const bool failed = from && *from <= static_cast<FrameIndex>(frame);
+    if (trajectory.judged_from[t] && !failed) return false;
+    any = any || failed;
+  }
+  return any;
 }
 
 /// The same, judged from the first frame on: an answer may be right on a frame that scores leave out.
