@@ -17,14 +17,16 @@ Time end_of(const Recording& recording, std::size_t frame) {
                                         : recording.captured[frame] + recording.period;
 }
 
+/// Whether the method has failed for good: whoever asks it hears nothing any more.
 bool gone(const Trajectory& trajectory, std::size_t frame) {
-  const auto failed = [&](std::size_t t) {
+  bool any = false;
+  for (std::size_t t = 0; t < trajectory.failed_from.size(); ++t) {
     const auto& from = trajectory.failed_from[t];
-    return !trajectory.judged_from[t] || (from && *from <= static_cast<FrameIndex>(frame));
-  };
-  for (std::size_t t = 0; t < trajectory.failed_from.size(); ++t)
-    if (!failed(t)) return false;
-  return true;
+    const bool failed = from && *from <= static_cast<FrameIndex>(frame);
+    if (trajectory.judged_from[t] && !failed) return false;
+    any = any || failed;
+  }
+  return any;
 }
 
 /// The same, judged from the first frame on: an answer may be right on a frame that scores leave out.
@@ -122,10 +124,10 @@ InForce in_force(const Recording& recording, const Trajectory& trajectory, std::
            next->finished <= end_of(recording, frame);
          ++next)
       last = next->frame;
+    if (gone(trajectory, frame)) last.reset();
     FrameReport report;
     report.given = trajectory.frames[frame].given;
-    if (last && !gone(trajectory, frame))
-      report.sightings = trajectory.frames[static_cast<std::size_t>(*last)].sightings;
+    if (last) report.sightings = trajectory.frames[static_cast<std::size_t>(*last)].sightings;
     result.trajectory.frames.push_back(std::move(report));
     result.answers.push_back(last);
     result.answer_age_s.push_back(

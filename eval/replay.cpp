@@ -139,7 +139,7 @@ class Run {
   }
 
   bool withheld_from(std::size_t t, FrameIndex frame) const {
-    return frame < options_.from || (off_until_[t] && !start_is_due(t, frame));
+    return frame < options_.from || (off_until_[t] && !failed(t) && !start_is_due(t, frame));
   }
 
   std::vector<std::size_t> withheld_on(FrameIndex frame) const {
@@ -247,8 +247,8 @@ class Run {
   std::optional<VirtualClock> clock_;  // real time
   std::vector<bool> started_;
   std::vector<bool> restart_due_;  // protocol reset: a loss was declared and not yet answered
-  std::vector<std::optional<FrameIndex>>
-      off_until_;  // protocol vot: failed, and not started before this frame
+  // Protocol vot: failed by its rules, and not started before this frame.
+  std::vector<std::optional<FrameIndex>> off_until_;
   Replay result_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <sstream>
 
@@ -340,6 +341,7 @@ TEST(AMethodThatCrashes, LosesToFailureFromThereOn) {
   EXPECT_EQ(done.answers.size(), 4u);
   EXPECT_EQ(in_force_verdicts(recording, done), "gHHHMMMM");
   EXPECT_EQ(lost(recording, done), "0 slowness, 0 gaps, 4 failure");
+  EXPECT_TRUE(std::isinf(in_force(recording, done.trajectory, done.answers).answer_age_s[4]));
 }
 
 TEST(AnAnswerToAnEmptyFrame, IsStaleAndNotWrongWhenTheTargetComesBack) {

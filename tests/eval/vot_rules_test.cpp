@@ -31,6 +31,20 @@ class Scripted final : public Method {
 
 Sightings nothing(const Frame&) { return {}; }
 
+/// The target of a made flight, and a second one that does not move.
+Recording two_targets(const std::string& letters) {
+  Recording recording = made_flight(letters);
+  recording.targets.push_back({"second"});
+  std::vector<TargetTruth> truth;
+  for (const TargetTruth& of_first : recording.truth) {
+    truth.push_back(of_first);
+    truth.push_back(of_first);
+    truth.back().outline = Box{400, 200, 40, 40};
+  }
+  recording.truth = truth;
+  return recording;
+}
+
 Sighting tracked(const std::string& target, const Outline& outline) {
   Sighting sighting = sighting_of(outline);
   sighting.track = target;
@@ -119,15 +133,7 @@ TEST(Vot, TakesATurnedOutlineAsItIs) {
 }
 
 TEST(Vot, LeavesTheOtherTargetsRunning) {
-  Recording recording = made_flight("vvvvvvvv");
-  recording.targets.push_back({"second"});
-  std::vector<TargetTruth> truth;
-  for (const TargetTruth& of_first : recording.truth) {
-    truth.push_back(of_first);
-    truth.push_back(of_first);
-    truth.back().outline = Box{400, 200, 40, 40};
-  }
-  recording.truth = truth;
+  const Recording recording = two_targets("vvvvvvvv");
   // The first tracker says a wrong place for ever: between failure and start nobody asks it.
   Scripted method([](const Frame&) {
     return Sightings{tracked("target", Box{10, 10, 40, 40}), tracked("second", Box{400, 200, 40, 40})};
@@ -151,6 +157,18 @@ TEST(Vot, NeverFailsAPerfectMethod) {
   const Recording recording = made_flight("avvvvaaavvv");
   const auto method = oracle(recording);
   EXPECT_EQ(codes(recording, by_vot(*method, recording).trajectory), "01TTTuuuTTT");
+}
+
+TEST(Vot, ScoresEveryFrameAfterACrashOfATargetThatWaits) {
+  const Recording recording = two_targets("vvvvvvvv");
+  // The first target fails on frame 1, and the method crashes on frame 3, before it is started again.
+  Scripted method([](const Frame& frame) -> Sightings {
+    if (frame.index == 3) throw std::runtime_error("no more");
+    return {tracked("second", Box{400, 200, 40, 40})};
+  });
+  const Replay done = by_vot(method, recording);
+  EXPECT_EQ(verdicts(recording, done.trajectory, 0), "gM  MMMM");
+  EXPECT_EQ(verdicts(recording, done.trajectory, 1), "gHHMMMMM");
 }
 
 TEST(Vot, StartsNoMethodAgainThatHasCrashed) {
