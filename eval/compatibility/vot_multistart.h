@@ -27,7 +27,7 @@ struct VotMultistartScores {
   std::optional<double> accuracy;        ///< mean overlap up to failures; 0 when no frame is left
   std::optional<double> robustness;      ///< share of frames up to failures; sequences weigh by their length
   std::vector<double> expected_overlap;  ///< by length from 0, up to eao_high - 1: the EAO curve
-  std::optional<double> eao;             ///< its mean from eao_low on; nothing when no run is that long
+  std::optional<double> eao;             ///< its mean from eao_low on; nothing when no run lasts or failed
 };
 
 /// `runs`: one for each anchor; those of one recording have the same name.

@@ -194,7 +194,8 @@ TEST(VotMultistartScores, CountARunUpToTheFirstOfTenMissesInARow) {
   EXPECT_EQ(lost.failures, 1u);
   EXPECT_DOUBLE_EQ(lost.robustness.value(), 4.0 / 16);
   EXPECT_DOUBLE_EQ(lost.accuracy.value(), 3.0 / 4);
-  EXPECT_FALSE(lost.eao);
+  EXPECT_FALSE(back.eao);  // not that long; what failed counts on with zeros
+  EXPECT_LT(lost.eao.value(), 0.03);
 }
 
 TEST(VotMultistartScores, MissNothingWhereTheTargetIsNotThere) {
