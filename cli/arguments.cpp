@@ -236,8 +236,9 @@ void add_compatibility(CLI::App& app, CompatibilityArguments& a) {
   verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
   verb.add_option("--align", a.align, "evo: lay paths over each other first: none, rigid or similarity")
       ->capture_default_str();
-  verb.add_option("--eao", a.eao_range,
-                  "VOT: shortest and longest fragment of the expected average overlap; else 100 356")
+  verb.add_option(
+          "--eao", a.eao_range,
+          "VOT: shortest and longest run of the expected average overlap; else 100 356, multi-start 115 755")
       ->expected(2);
   verb.add_flag("--json", a.json, "print scores and curves as JSON");
 }

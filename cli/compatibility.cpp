@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +16,7 @@
 #include "eval/compatibility/got10k.h"
 #include "eval/compatibility/otb.h"
 #include "eval/compatibility/vot.h"
+#include "eval/compatibility/vot_multistart.h"
 
 namespace relock {
 namespace {
@@ -42,14 +44,25 @@ struct Group {
 
 struct ToolkitOptions {
   VotOptions vot;
+  VotMultistartOptions multistart;
   Alignment alignment = Alignment::none;
   std::string alignment_name;
 };
 
+bool multistart(Protocol protocol) { return to_string(protocol) == "multistart"; }
+
+/// "recorded-once"; all anchors of protocol multistart are one condition.
+std::string condition_of(const StoredComparison& comparison) {
+  const std::string name = comparison.folder.filename().string();
+  const std::string_view protocol = to_string(comparison.runs.front().record.protocol);
+  if (!multistart(comparison.runs.front().record.protocol)) return name;
+  return name.substr(0, name.rfind(protocol) + protocol.size());
+}
+
 std::vector<Group> grouped(const std::vector<StoredComparison>& all) {
   std::map<std::string, Group> groups;
   for (const StoredComparison& comparison : all) {
-    const std::string condition = comparison.folder.filename().string();
+    const std::string condition = condition_of(comparison);
     Group& group = groups[condition];
     group.condition = condition;
     group.protocol = comparison.runs.front().record.protocol;
@@ -101,6 +114,17 @@ void print_vot(const Group& group, const VotOptions& options) {
              options.burn_in, options.sensitivity, options.eao_low, options.eao_high, table.text(2));
 }
 
+void print_multistart(const Group& group, const VotMultistartOptions& options) {
+  Table table({"method", "runs", "accuracy", "failures", "robustness", "EAO"});
+  for (const Answers& a : group.methods) {
+    const VotMultistartScores s = vot_multistart_scores(a.sequences, options);
+    table.add({a.method, count(s.runs), cell(s.accuracy, 4), count(s.failures), cell(s.robustness, 4),
+               cell(s.eao, 4)});
+  }
+  fmt::print("\n  VOT (toolkit 0.8.0, multi-start; threshold {}, grace {}, EAO from {} to {} frames)\n{}",
+             options.threshold, options.grace, options.eao_low, options.eao_high, table.text(2));
+}
+
 void print_ape(const Group& group, const ToolkitOptions& options) {
   Table table({"method", "frames", "rmse", "mean", "median", "std", "max"});
   for (const Answers& a : group.methods) {
@@ -114,20 +138,22 @@ void print_ape(const Group& group, const ToolkitOptions& options) {
 
 std::vector<std::string> names_of(const std::vector<AnsweredSequence>& sequences) {
   std::vector<std::string> names;
-  for (const AnsweredSequence& sequence : sequences) names.push_back(sequence.name);
+  for (const AnsweredSequence& sequence : sequences)  // protocol multistart: many of one name
+    if (std::find(names.begin(), names.end(), sequence.name) == names.end()) names.push_back(sequence.name);
   return names;
 }
 
 void print(const Group& group, const ToolkitOptions& options) {
   std::vector<std::string> names;
   for (const Answers& a : group.methods)
-    if (a.sequences.size() > names.size()) names = names_of(a.sequences);
+    if (const auto all = names_of(a.sequences); all.size() > names.size()) names = all;
   fmt::print("{}: {}\n", group.condition, fmt::join(names, ", "));
   if (fits(ResultFormat::otb, group.protocol)) {
     print_otb(group);
     print_got10k(group);
   }
   if (fits(ResultFormat::vot, group.protocol)) print_vot(group, options.vot);
+  if (multistart(group.protocol)) print_multistart(group, options.multistart);
   if (fits(ResultFormat::tum, group.protocol)) print_ape(group, options);
 }
 
@@ -165,6 +191,17 @@ Json scores_of(const Group& group, const std::string& method, std::span<const An
                    {"eao_high", options.vot.eao_high},
                    {"expected_overlap", v.expected_overlap}};
   }
+  if (multistart(group.protocol)) {
+    const VotMultistartScores v = vot_multistart_scores(sequences, options.multistart);
+    json["vot_multistart"] = {{"runs", v.runs},
+                              {"accuracy", number(v.accuracy)},
+                              {"failures", v.failures},
+                              {"robustness", number(v.robustness)},
+                              {"eao", number(v.eao)},
+                              {"eao_low", options.multistart.eao_low},
+                              {"eao_high", options.multistart.eao_high},
+                              {"expected_overlap", v.expected_overlap}};
+  }
   if (fits(ResultFormat::tum, group.protocol)) {
     const ApeScores e = ape_scores(sequences, options.alignment);
     json["evo"] = {{"alignment", options.alignment_name}, {"frames", e.frames},
@@ -195,6 +232,8 @@ ToolkitOptions options_of(const CompatibilityArguments& arguments) {
   if (arguments.eao_range.empty()) return options;
   options.vot.eao_low = arguments.eao_range.front();
   options.vot.eao_high = arguments.eao_range.back();
+  options.multistart.eao_low = options.vot.eao_low;
+  options.multistart.eao_high = options.vot.eao_high;
   if (options.vot.eao_low < 1 || options.vot.eao_low > options.vot.eao_high)
     throw Error(fmt::format("--eao {} {} is no range of lengths, such as 100 356", options.vot.eao_low,
                             options.vot.eao_high));

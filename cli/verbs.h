@@ -183,7 +183,7 @@ int import_results(const ImportArguments& arguments);
 struct CompatibilityArguments {
   std::filesystem::path folder;
   std::string align = "none";          ///< evo: none, rigid or similarity
-  std::vector<std::size_t> eao_range;  ///< VOT: shortest and longest fragment; else 100 and 356
+  std::vector<std::size_t> eao_range;  ///< VOT: shortest and longest run; else 100 and 356, or 115 and 755
   bool json = false;
 };
 int compatibility(const CompatibilityArguments& arguments);

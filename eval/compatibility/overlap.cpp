@@ -1,6 +1,7 @@
 #include "eval/compatibility/overlap.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -14,6 +18,7 @@
 #include "eval/compatibility/otb.h"
 #include "eval/compatibility/overlap.h"
 #include "eval/compatibility/vot.h"
+#include "eval/compatibility/vot_multistart.h"
 #include "sequences/benchmark.h"
 #include "sequences/vot_region.h"
 
@@ -141,6 +146,39 @@ TEST(VotScores, AgreeWithTheToolkit) {
   EXPECT_NEAR(ours.robustness.value(), theirs["all"]["robustness"].get<double>(), kDouble);
   expect_near(ours.expected_overlap, theirs["all"]["curve"], kFloat);
   EXPECT_NEAR(ours.eao.value(), theirs["all"]["eao"].get<double>(), kFloat);
+}
+
+/// A run from an anchor, as it was played.
+AnsweredSequence multistart_run(const std::string& name, std::size_t anchor, bool backward) {
+  AnsweredSequence all = regions(name);
+  const std::size_t frames = all.frames.size();
+  if (backward) std::reverse(all.frames.begin(), all.frames.end());
+  const std::size_t first = backward ? frames - 1 - anchor : anchor;
+  const auto answers =
+      read_answers(ResultFormat::vot, kData / "regions" / name / fmt::format("{}_{:08}.txt", name, anchor));
+  AnsweredSequence run{name, kPicture, first, {}};
+  for (std::size_t i = first; i < frames; ++i)
+    run.frames.push_back({all.frames[i].truth, 1, i == first, answers.at(i - first).outline});
+  return run;
+}
+
+TEST(VotMultistartScores, AgreeWithTheToolkit) {
+  const Json theirs = expected("vot-multistart");
+  std::vector<AnsweredSequence> runs;
+  for (const std::size_t anchor : {0, 60}) runs.push_back(multistart_run("boxes", anchor, false));
+  runs.push_back(multistart_run("boxes", 149, true));
+  for (const std::size_t anchor : {0, 50, 100}) runs.push_back(multistart_run("polygons", anchor, false));
+  runs.push_back(multistart_run("polygons", 199, true));
+  VotMultistartOptions options;
+  options.eao_low = theirs["low"];
+  options.eao_high = theirs["high"];
+  const VotMultistartScores ours = vot_multistart_scores(runs, options);
+  EXPECT_EQ(ours.runs, 7u);
+  EXPECT_GT(ours.failures, 0u);
+  EXPECT_NEAR(ours.accuracy.value(), theirs["accuracy"].get<double>(), kDouble);
+  EXPECT_NEAR(ours.robustness.value(), theirs["robustness"].get<double>(), kDouble);
+  expect_near(ours.expected_overlap, theirs["curve"], kDouble);
+  EXPECT_NEAR(ours.eao.value(), theirs["eao"].get<double>(), kDouble);
 }
 
 /// Centres of a TUM file by their time as written.

@@ -11,6 +11,7 @@
 #include "eval/compatibility/otb.h"
 #include "eval/compatibility/overlap.h"
 #include "eval/compatibility/vot.h"
+#include "eval/compatibility/vot_multistart.h"
 
 namespace relock {
 namespace {
@@ -181,6 +182,26 @@ TEST(VotScores, TakeAFragmentThatDidNotFailOnlyAsFarAsItGoes) {
   ASSERT_EQ(scores.expected_overlap.size(), 5u);
   EXPECT_DOUBLE_EQ(scores.expected_overlap[2], 0.75);
   EXPECT_DOUBLE_EQ(scores.expected_overlap[3], 1);
+}
+
+TEST(VotMultistartScores, CountARunUpToTheFirstOfTenMissesInARow) {
+  const std::string nine(9, 'S'), ten(10, 'S');
+  const VotMultistartScores back = vot_multistart_scores(std::vector{answers("gH" + nine + "H")});
+  EXPECT_EQ(back.failures, 0u);
+  EXPECT_DOUBLE_EQ(back.robustness.value(), 1);
+  EXPECT_DOUBLE_EQ(back.accuracy.value(), 2.0 / 12);
+  const VotMultistartScores lost = vot_multistart_scores(std::vector{answers("gHHH" + ten + "HH")});
+  EXPECT_EQ(lost.failures, 1u);
+  EXPECT_DOUBLE_EQ(lost.robustness.value(), 4.0 / 16);
+  EXPECT_DOUBLE_EQ(lost.accuracy.value(), 3.0 / 4);
+  EXPECT_FALSE(back.eao);  // not that long; what failed counts on with zeros
+  EXPECT_LT(lost.eao.value(), 0.03);
+}
+
+TEST(VotMultistartScores, MissNothingWhereTheTargetIsNotThere) {
+  AnsweredSequence sequence = answers("gH" + std::string(12, '.') + "H");
+  sequence.frames[8].truth.reset();
+  EXPECT_EQ(vot_multistart_scores(std::vector{sequence}).failures, 0u);
 }
 
 TEST(ApeScores, LeaveOutWhatWasGivenAndWhatWasNotAnswered) {

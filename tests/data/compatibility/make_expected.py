@@ -247,6 +247,89 @@ def score_vot(names, low, high):
     return result
 
 
+ANCHORS = {"boxes": ([0, 60], [149]), "polygons": ([0, 50, 100], [199])}
+
+
+def make_multistart():
+    """A result file for each anchor: answers go astray for longer the later a run is."""
+    from vot.region.io import read_trajectory
+
+    for name, (forward, backward) in ANCHORS.items():
+        truth = read_trajectory(os.path.join(HERE, f"regions/{name}/groundtruth.txt"))
+        dice = Dice(11)
+        for anchor in forward + backward:
+            played = truth[anchor::-1] if anchor in backward else truth[anchor:]
+            lines = ["1"]
+            for i, region in enumerate(played[1:], 1):
+                astray = 70 if 20 < i < 24 or (anchor in (60, 100, 199) and 50 < i < 62) else 9
+                lines.append(str(region.move(round(astray * dice.roll()), round(astray * (1 + dice.roll()) / 2))))
+            write(f"regions/{name}/{name}_{anchor:08d}.txt", lines)
+
+
+def score_multistart(low, high):
+    from vot.analysis import multistart
+    from vot.region.io import read_trajectory
+
+    class Played:
+        def __init__(self, sequence, frames):
+            self.truth = [sequence.truth[i] for i in frames]
+            self.size = PICTURE
+
+        def object(self, name):
+            return None
+
+        def groundtruth(self, i=None):
+            return self.truth if i is None else self.truth[i]
+
+        def __len__(self):
+            return len(self.truth)
+
+    class Recording:
+        def __init__(self, name):
+            self.name = name
+            self.truth = read_trajectory(os.path.join(HERE, f"regions/{name}/groundtruth.txt"))
+
+        def __len__(self):
+            return len(self.truth)
+
+    class Stored:
+        def __init__(self, regions):
+            self.stored = regions
+
+        @staticmethod
+        def exists(results, name):
+            return True
+
+        @staticmethod
+        def read(results, name):
+            return Stored(read_trajectory(os.path.join(HERE, f"regions/{name.split('_')[0]}/{name}.txt")))
+
+        def regions(self):
+            return self.stored
+
+    multistart.find_anchors = lambda sequence, _: ANCHORS[sequence.name]
+    multistart.FrameMapSequence, multistart.Trajectory = Played, Stored
+
+    def analysis(kind):
+        made = kind.__new__(kind)
+        made.burnin, made.grace, made.threshold, made.ignore_masks, made.high = 10, 10, 0.1, "_ignore", high
+        return made
+
+    experiment = types.SimpleNamespace(results=lambda *_: None, anchor="anchor")
+    sequences = [Recording(name) for name in ANCHORS]
+
+    def each(kind):
+        return [analysis(kind).subcompute(experiment, None, sequence, []) for sequence in sequences]
+
+    shares = each(multistart.AccuracyRobustness)
+    total = analysis(multistart.AverageAccuracyRobustness).aggregate(None, sequences, shares)
+    averaged = analysis(multistart.EAOCurve)
+    averaged.curves = types.SimpleNamespace(high=high)
+    curve = averaged.aggregate(None, sequences, each(multistart.EAOCurves))[0]
+    return {"accuracy": total[0], "robustness": total[1], "low": low, "high": high,
+            "curve": [float(v) for v in curve], "eao": float(np.mean(curve[low:high + 1]))}
+
+
 def make_paths():
     dice = Dice(7)
     truth, answers = [], []
@@ -287,6 +370,8 @@ def main():
     expected["got10k"] = score_got10k(sequences)
     expected["otb"] = score_otb(["inside", "lost"])
     expected["vot"] = score_vot(make_all_regions(), 20, 90)
+    make_multistart()
+    expected["vot-multistart"] = score_multistart(30, 160)
     make_paths()
     expected["evo"] = score_evo()
     for toolkit, scores in expected.items():
