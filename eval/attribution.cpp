@@ -115,14 +115,27 @@ VectorXd block_weights(const Rows& rows, Random& random) {
   return weights;
 }
 
-/// Of refits to resamples of blocks: their spread about the estimate, in standard errors.
+/// The rows that a resample has, as often as it has them; the others would only cost time.
+struct Resample {
+  MatrixXd covariates;
+  VectorXd lost, weights;
+};
+Resample resample(const Rows& rows, Random& random) {
+  const VectorXd weights = block_weights(rows, random);
+  std::vector<Index> drawn;
+  for (Index row = 0; row < weights.size(); ++row)
+    if (weights[row] > 0) drawn.push_back(row);
+  return {rows.covariates(drawn, Eigen::all), rows.lost(drawn), weights(drawn)};
+}
+
+/// Percentiles of refits to resamples of blocks.
 std::vector<std::optional<Interval>> within_sequences(const Rows& rows, const FirthFit& fit) {
   std::vector<std::vector<double>> refits(static_cast<std::size_t>(fit.coefficients.size()));
   Random random(kSeed);
-  const FirthOptions roughly{50, 1e-4};
+  const FirthOptions roughly{50, 1e-4};  // a hundredth of a standard error
   for (int i = 0; i < kBlockResamples; ++i) {
-    const auto refit =
-        firth(rows.covariates, rows.lost, block_weights(rows, random), fit.coefficients, roughly);
+    const Resample drawn = resample(rows, random);
+    const auto refit = firth(drawn.covariates, drawn.lost, drawn.weights, fit.coefficients, roughly);
     if (!refit || !refit->converged) continue;
     for (std::size_t c = 0; c < refits.size(); ++c)
       refits[c].push_back(refit->coefficients[static_cast<Index>(c)]);

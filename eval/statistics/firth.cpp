@@ -73,11 +73,11 @@ std::optional<FirthFit> climb(const Problem& problem, VectorXd at, Index held, c
       information.col(held).setZero();
       information(held, held) = 1;
     }
-    if (score.cwiseAbs().maxCoeff() <= options.gradient) {
+    VectorXd step = information.llt().solve(score);
+    if (score.dot(step) <= options.gain) {
       fit.converged = true;
       break;
     }
-    VectorXd step = information.llt().solve(score);
     step *= std::min(1.0, kLongestStep / step.cwiseAbs().maxCoeff());
     Local there = look(problem, at + step);
     for (int halvings = 0; halvings < 40; ++halvings) {
