@@ -141,13 +141,14 @@ std::vector<std::optional<Interval>> within_sequences(const Rows& rows, const Fi
       refits[c].push_back(refit->coefficients[static_cast<Index>(c)]);
   }
   std::vector<std::optional<Interval>> intervals;
-  for (const std::vector<double>& values : refits) {
-    if (values.size() < kBlockResamples / 2) {
-      intervals.emplace_back();
-      continue;
-    }
-    intervals.push_back(
-        Interval{percentile(values, (1 - kConfidence) / 2), percentile(values, (1 + kConfidence) / 2)});
+  for (std::size_t c = 0; c < refits.size(); ++c) {
+    std::optional<Interval>& interval = intervals.emplace_back();
+    if (refits[c].size() < kBlockResamples / 2) continue;
+    interval =
+        Interval{percentile(refits[c], (1 - kConfidence) / 2), percentile(refits[c], (1 + kConfidence) / 2)};
+    // Of few losses the percentiles are too narrow even where transitions are independent.
+    const auto profile = profile_interval(rows.covariates, rows.lost, fit, static_cast<Index>(c));
+    if (profile) *interval = {std::min(interval->low, profile->low), std::max(interval->high, profile->high)};
   }
   return intervals;
 }

@@ -47,10 +47,11 @@ Local look(const Problem& problem, const VectorXd& at) {
   const VectorXd diagonal = MatrixXd(cholesky.matrixL()).diagonal();
   if (diagonal.minCoeff() <= 1e-12 * diagonal.maxCoeff()) return here;
   here.log_likelihood += diagonal.array().log().sum();  // log det / 2
-  const MatrixXd half = cholesky.matrixL().solve(x.transpose());
+  const MatrixXd inverse = cholesky.solve(MatrixXd::Identity(x.cols(), x.cols()));
+  const VectorXd forms = (x * inverse).cwiseProduct(x).rowwise().sum();
   VectorXd residual(x.rows());
   for (Index i = 0; i < x.rows(); ++i) {
-    const double leverage = spread[i] * half.col(i).squaredNorm();
+    const double leverage = spread[i] * forms[i];
     residual[i] = problem.weight(i) * (problem.events[i] - chance[i]) + leverage * (0.5 - chance[i]);
   }
   here.score = x.transpose() * residual;
@@ -144,7 +145,7 @@ std::optional<Interval> profile_interval(const MatrixXd& covariates, const Vecto
       if (!above(outside)) break;
       inside = outside;
     }
-    while (std::abs(outside - inside) > 1e-9 * (1 + std::abs(inside))) {
+    while (std::abs(outside - inside) > 1e-7 * (1 + std::abs(inside))) {
       const double middle = (inside + outside) / 2;
       (above(middle) ? inside : outside) = middle;
     }
