@@ -232,6 +232,15 @@ Attribution attribute(std::span<const TransitionRun> runs, Gaps gaps) {
   return found;
 }
 
+namespace {
+
+/// Two digits, or as many as stand before the point.
+std::string odds(double ratio) {
+  return fmt::format("{:.{}f}", ratio, ratio >= 9.95 ? 0 : ratio >= 0.995 ? 1 : 2);
+}
+
+}  // namespace
+
 std::string sentence(const Effect& effect) {
   static const std::map<Covariate, std::string> kUnits{
       {Covariate::injected_slots, "extra slot of gap"},
@@ -239,12 +248,13 @@ std::string sentence(const Effect& effect) {
       {Covariate::blur, "10 % of D of blur"},
       {Covariate::displacement, "10 % of D that the target moved"}};
   const std::string limits =
-      effect.interval ? fmt::format(" [{:.2g}, {:.2g}]", effect.interval->low, effect.interval->high) : "";
+      effect.interval ? fmt::format(" [{}, {}]", odds(effect.interval->low), odds(effect.interval->high))
+                      : "";
   if (effect.because)
-    return fmt::format("each {} multiplies the odds of a loss by {:.2g}{} (because: the gaps were injected)",
-                       kUnits.at(effect.covariate), effect.odds_ratio, limits);
-  return fmt::format("each {} goes with odds of a loss {:.2g}{} times as high", kUnits.at(effect.covariate),
-                     effect.odds_ratio, limits);
+    return fmt::format("each {} multiplies the odds of a loss by {}{} (because: the gaps were injected)",
+                       kUnits.at(effect.covariate), odds(effect.odds_ratio), limits);
+  return fmt::format("each {} goes with odds of a loss {}{} times as high", kUnits.at(effect.covariate),
+                     odds(effect.odds_ratio), limits);
 }
 
 std::string sentence(const Attribution& attribution) {

@@ -26,9 +26,6 @@ struct Local {
   bool regular = false;
 };
 
-/// log(1 + exp(x)), without overflow.
-double log_one_plus_exp(double x) { return std::max(x, 0.0) + std::log1p(std::exp(-std::abs(x))); }
-
 Local look(const Problem& problem, const VectorXd& at) {
   const MatrixXd& x = problem.covariates;
   const VectorXd linear = x * at;
@@ -36,9 +33,10 @@ Local look(const Problem& problem, const VectorXd& at) {
   VectorXd chance(x.rows()), spread(x.rows());
   for (Index i = 0; i < x.rows(); ++i) {
     const double w = problem.weight(i);
-    chance[i] = 1 / (1 + std::exp(-linear[i]));
+    const double rarer = std::exp(-std::abs(linear[i]));  // never overflows
+    chance[i] = (linear[i] > 0 ? 1 : rarer) / (1 + rarer);
     spread[i] = w * chance[i] * (1 - chance[i]);
-    here.log_likelihood += w * (problem.events[i] * linear[i] - log_one_plus_exp(linear[i]));
+    here.log_likelihood += w * (problem.events[i] * linear[i] - std::max(linear[i], 0.0) - std::log1p(rarer));
   }
   const MatrixXd scaled = spread.asDiagonal() * x;
   here.information = x.transpose() * scaled;

@@ -47,13 +47,13 @@ double coverage(std::size_t runs, int each, int repetitions) {
 }
 
 TEST(Attribution, CoversTheTrueEffectOverManySequences) {
-  const double percent = coverage(20, 100, 300);
+  const double percent = coverage(20, 100, 200);
   EXPECT_GE(percent, 92);
   EXPECT_LE(percent, 98);
 }
 
 TEST(Attribution, CoversTheTrueEffectInOneRun) {
-  const double percent = coverage(1, 800, 60);
+  const double percent = coverage(1, 500, 40);
   EXPECT_GE(percent, 90);
   EXPECT_LE(percent, 99);
 }
