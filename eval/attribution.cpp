@@ -141,7 +141,8 @@ std::vector<std::optional<Interval>> within_sequences(const Rows& rows, const Fi
       refits[c].push_back(refit->coefficients[static_cast<Index>(c)]);
   }
   std::vector<std::optional<Interval>> intervals;
-  for (std::size_t c = 0; c < refits.size(); ++c) {
+  intervals.emplace_back();  // nobody asks for the intercept's
+  for (std::size_t c = 1; c < refits.size(); ++c) {
     std::optional<Interval>& interval = intervals.emplace_back();
     if (refits[c].size() < kBlockResamples / 2) continue;
     interval =

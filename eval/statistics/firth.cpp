@@ -129,7 +129,7 @@ std::optional<Interval> profile_interval(const MatrixXd& covariates, const Vecto
   const auto above = [&](double value) {
     VectorXd start = from;
     start[coefficient] = value;
-    const auto profile = climb(problem, start, coefficient, {});
+    const auto profile = climb(problem, start, coefficient, {100, 1e-10});
     if (!profile) return false;
     from = profile->coefficients;
     return profile->log_likelihood >= least;
