@@ -115,26 +115,41 @@ VectorXd block_weights(const Rows& rows, Random& random) {
   return weights;
 }
 
-/// Of refits to resamples of blocks: their spread about the estimate, in standard errors.
+/// The rows that a resample has, as often as it has them; the others would only cost time.
+struct Resample {
+  MatrixXd covariates;
+  VectorXd lost, weights;
+};
+Resample resample(const Rows& rows, Random& random) {
+  const VectorXd weights = block_weights(rows, random);
+  std::vector<Index> drawn;
+  for (Index row = 0; row < weights.size(); ++row)
+    if (weights[row] > 0) drawn.push_back(row);
+  return {rows.covariates(drawn, Eigen::all), rows.lost(drawn), weights(drawn)};
+}
+
+/// Percentiles of refits to resamples of blocks.
 std::vector<std::optional<Interval>> within_sequences(const Rows& rows, const FirthFit& fit) {
   std::vector<std::vector<double>> refits(static_cast<std::size_t>(fit.coefficients.size()));
   Random random(kSeed);
-  const FirthOptions roughly{50, 1e-4};
+  const FirthOptions roughly{50, 1e-4};  // a hundredth of a standard error
   for (int i = 0; i < kBlockResamples; ++i) {
-    const auto refit =
-        firth(rows.covariates, rows.lost, block_weights(rows, random), fit.coefficients, roughly);
+    const Resample drawn = resample(rows, random);
+    const auto refit = firth(drawn.covariates, drawn.lost, drawn.weights, fit.coefficients, roughly);
     if (!refit || !refit->converged) continue;
     for (std::size_t c = 0; c < refits.size(); ++c)
       refits[c].push_back(refit->coefficients[static_cast<Index>(c)]);
   }
   std::vector<std::optional<Interval>> intervals;
-  for (const std::vector<double>& values : refits) {
-    if (values.size() < kBlockResamples / 2) {
-      intervals.emplace_back();
-      continue;
-    }
-    intervals.push_back(
-        Interval{percentile(values, (1 - kConfidence) / 2), percentile(values, (1 + kConfidence) / 2)});
+  intervals.emplace_back();  // nobody asks for the intercept's
+  for (std::size_t c = 1; c < refits.size(); ++c) {
+    std::optional<Interval>& interval = intervals.emplace_back();
+    if (refits[c].size() < kBlockResamples / 2) continue;
+    interval =
+        Interval{percentile(refits[c], (1 - kConfidence) / 2), percentile(refits[c], (1 + kConfidence) / 2)};
+    // Of few losses the percentiles are too narrow even where transitions are independent.
+    const auto profile = profile_interval(rows.covariates, rows.lost, fit, static_cast<Index>(c));
+    if (profile) *interval = {std::min(interval->low, profile->low), std::max(interval->high, profile->high)};
   }
   return intervals;
 }
@@ -218,6 +233,15 @@ Attribution attribute(std::span<const TransitionRun> runs, Gaps gaps) {
   return found;
 }
 
+namespace {
+
+/// Two digits, or as many as stand before the point.
+std::string odds(double ratio) {
+  return fmt::format("{:.{}f}", ratio, ratio >= 9.95 ? 0 : ratio >= 0.995 ? 1 : 2);
+}
+
+}  // namespace
+
 std::string sentence(const Effect& effect) {
   static const std::map<Covariate, std::string> kUnits{
       {Covariate::injected_slots, "extra slot of gap"},
@@ -225,12 +249,13 @@ std::string sentence(const Effect& effect) {
       {Covariate::blur, "10 % of D of blur"},
       {Covariate::displacement, "10 % of D that the target moved"}};
   const std::string limits =
-      effect.interval ? fmt::format(" [{:.2g}, {:.2g}]", effect.interval->low, effect.interval->high) : "";
+      effect.interval ? fmt::format(" [{}, {}]", odds(effect.interval->low), odds(effect.interval->high))
+                      : "";
   if (effect.because)
-    return fmt::format("each {} multiplies the odds of a loss by {:.2g}{} (because: the gaps were injected)",
-                       kUnits.at(effect.covariate), effect.odds_ratio, limits);
-  return fmt::format("each {} goes with odds of a loss {:.2g}{} times as high", kUnits.at(effect.covariate),
-                     effect.odds_ratio, limits);
+    return fmt::format("each {} multiplies the odds of a loss by {}{} (because: the gaps were injected)",
+                       kUnits.at(effect.covariate), odds(effect.odds_ratio), limits);
+  return fmt::format("each {} goes with odds of a loss {}{} times as high", kUnits.at(effect.covariate),
+                     odds(effect.odds_ratio), limits);
 }
 
 std::string sentence(const Attribution& attribution) {

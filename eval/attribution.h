@@ -60,7 +60,7 @@ struct Attribution {
 /// Firth-penalised logistic regressions (statistics/firth.h). Intervals: with kManySequences or more sequences
 /// by the scatter of the scores between them (the sandwich estimator), and Student's t; below, by a stationary
 /// block bootstrap (Politis and Romano 1994) of kBlockResamples refits, blocks of kMeanBlock transitions in the
-/// mean.
+/// mean, and never narrower than the profile-likelihood interval.
 Attribution attribute(std::span<const TransitionRun> runs, Gaps gaps);
 constexpr int kBlockResamples = 400;
 constexpr double kMeanBlock = 30;

@@ -52,9 +52,23 @@ std::string limits(const std::optional<Interval>& interval, double scale, int de
 }
 
 std::string share(const TrackingSurvival& s, std::string_view at) {
-  if (!s.at_claim) return fmt::format("{} are beyond the follow-up", at);
   return fmt::format("{:.0f} %{} still hold at {}", 100 * *s.at_claim, limits(s.at_claim_interval, 100, 0),
                      at);
+}
+
+/// Both shares, or what cannot be told of them.
+std::string shares(const TrackingSurvivals& survival) {
+  const std::string frames = fmt::format("{:.0f} frames", kClaimFrames);
+  const std::string time = fmt::format("{:.0f} s", kClaimSeconds);
+  const bool frames_known = survival.frames.at_claim.has_value(),
+             time_known = survival.seconds.at_claim.has_value();
+  if (frames_known && time_known)
+    return fmt::format("{}, {}", share(survival.frames, frames), share(survival.seconds, time));
+  if (frames_known)
+    return fmt::format("{}, {} are beyond the follow-up", share(survival.frames, frames), time);
+  if (time_known)
+    return fmt::format("{}, {} are beyond the follow-up", share(survival.seconds, time), frames);
+  return fmt::format("{} and {} are beyond the follow-up", frames, time);
 }
 
 std::string plural(std::size_t n, std::string_view one, std::string_view many) {
@@ -113,8 +127,7 @@ std::string sentence(const TrackingSurvivals& survival) {
                         limits(time.median_interval, 1, 1))
           : fmt::format("holds beyond the follow-up of {:.0f} frames or {:.1f} s (median)", frames.follow_up,
                         time.follow_up);
-  return fmt::format("{}; {}, {} {}", fails, share(frames, fmt::format("{:.0f} frames", kClaimFrames)),
-                     share(time, fmt::format("{:.0f} s", kClaimSeconds)), counted);
+  return fmt::format("{}; {} {}", fails, shares(survival), counted);
 }
 
 std::string_view to_string(ClaimVerdict verdict) {

@@ -26,9 +26,6 @@ struct Local {
   bool regular = false;
 };
 
-/// log(1 + exp(x)), without overflow.
-double log_one_plus_exp(double x) { return std::max(x, 0.0) + std::log1p(std::exp(-std::abs(x))); }
-
 Local look(const Problem& problem, const VectorXd& at) {
   const MatrixXd& x = problem.covariates;
   const VectorXd linear = x * at;
@@ -36,9 +33,10 @@ Local look(const Problem& problem, const VectorXd& at) {
   VectorXd chance(x.rows()), spread(x.rows());
   for (Index i = 0; i < x.rows(); ++i) {
     const double w = problem.weight(i);
-    chance[i] = 1 / (1 + std::exp(-linear[i]));
+    const double rarer = std::exp(-std::abs(linear[i]));  // never overflows
+    chance[i] = (linear[i] > 0 ? 1 : rarer) / (1 + rarer);
     spread[i] = w * chance[i] * (1 - chance[i]);
-    here.log_likelihood += w * (problem.events[i] * linear[i] - log_one_plus_exp(linear[i]));
+    here.log_likelihood += w * (problem.events[i] * linear[i] - std::max(linear[i], 0.0) - std::log1p(rarer));
   }
   const MatrixXd scaled = spread.asDiagonal() * x;
   here.information = x.transpose() * scaled;
@@ -47,10 +45,11 @@ Local look(const Problem& problem, const VectorXd& at) {
   const VectorXd diagonal = MatrixXd(cholesky.matrixL()).diagonal();
   if (diagonal.minCoeff() <= 1e-12 * diagonal.maxCoeff()) return here;
   here.log_likelihood += diagonal.array().log().sum();  // log det / 2
-  const MatrixXd half = cholesky.matrixL().solve(x.transpose());
+  const MatrixXd inverse = cholesky.solve(MatrixXd::Identity(x.cols(), x.cols()));
+  const VectorXd forms = (x * inverse).cwiseProduct(x).rowwise().sum();
   VectorXd residual(x.rows());
   for (Index i = 0; i < x.rows(); ++i) {
-    const double leverage = spread[i] * half.col(i).squaredNorm();
+    const double leverage = spread[i] * forms[i];
     residual[i] = problem.weight(i) * (problem.events[i] - chance[i]) + leverage * (0.5 - chance[i]);
   }
   here.score = x.transpose() * residual;
@@ -73,11 +72,11 @@ std::optional<FirthFit> climb(const Problem& problem, VectorXd at, Index held, c
       information.col(held).setZero();
       information(held, held) = 1;
     }
-    if (score.cwiseAbs().maxCoeff() <= options.gradient) {
+    VectorXd step = information.llt().solve(score);
+    if (score.dot(step) <= options.gain) {
       fit.converged = true;
       break;
     }
-    VectorXd step = information.llt().solve(score);
     step *= std::min(1.0, kLongestStep / step.cwiseAbs().maxCoeff());
     Local there = look(problem, at + step);
     for (int halvings = 0; halvings < 40; ++halvings) {
@@ -130,7 +129,7 @@ std::optional<Interval> profile_interval(const MatrixXd& covariates, const Vecto
   const auto above = [&](double value) {
     VectorXd start = from;
     start[coefficient] = value;
-    const auto profile = climb(problem, start, coefficient, {});
+    const auto profile = climb(problem, start, coefficient, {100, 1e-10});
     if (!profile) return false;
     from = profile->coefficients;
     return profile->log_likelihood >= least;
@@ -144,7 +143,7 @@ std::optional<Interval> profile_interval(const MatrixXd& covariates, const Vecto
       if (!above(outside)) break;
       inside = outside;
     }
-    while (std::abs(outside - inside) > 1e-9 * (1 + std::abs(inside))) {
+    while (std::abs(outside - inside) > 1e-7 * (1 + std::abs(inside))) {
       const double middle = (inside + outside) / 2;
       (above(middle) ? inside : outside) = middle;
     }

@@ -21,7 +21,7 @@ struct FirthFit {
 
 struct FirthOptions {
   int most_steps = 100;
-  double gradient = 1e-8;  ///< converged when no element of the penalised score is larger
+  double gain = 1e-18;  ///< converged when the next step would raise the penalised log likelihood by less
 };
 
 /// Fits `events` (0 or 1, or a share) to `covariates`: one row each, one column for each coefficient; a column of

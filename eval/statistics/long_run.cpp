@@ -93,9 +93,15 @@ double wave_power(const Series& e, int waves) {
 
 std::optional<LongRunVariance> between(std::span<const Series> sequences) {
   double squares = 0;
-  for (const Series& e : sequences) squares += sum(e) * sum(e);
+  std::size_t above = 0, below = 0;
+  for (const Series& e : sequences) {
+    const double total = sum(e);
+    squares += total * total;
+    above += total > 0 ? 1 : 0;
+    below += total < 0 ? 1 : 0;
+  }
+  if (std::min(above, below) < kLeastSequences) return {};
   const auto count = static_cast<double>(sequences.size());
-  if (squares <= 0) return {};
   return LongRunVariance{squares * count / (count - 1), count - 1};
 }
 

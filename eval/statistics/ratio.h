@@ -20,7 +20,8 @@ struct RatioSeries {
 /// kManySequences sequences on, the uncertainty is the scatter between the sequences; below, that of the slow
 /// waves within them (statistics/long_run.h). Where every part lies between 0 and its whole, the interval is
 /// symmetric in log odds and stays within [0, 1]. "Too little": fewer than 5 outages (stretches below the mean)
-/// in all, or sequences too short for how slowly they change. Coverage: docs/statistics.md.
+/// in all, or sequences too short for how slowly they change; of many sequences, fewer than 3 on either side of
+/// the ratio. Coverage: docs/statistics.md.
 /// Every sequence has as many wholes as parts.
 std::optional<Interval> ratio_interval(std::span<const RatioSeries> sequences);
 

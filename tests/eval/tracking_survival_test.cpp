@@ -18,14 +18,17 @@ Told told(const std::string& letters) {
   t.recording.period = std::chrono::milliseconds(33);
   LockWatch watch(t.recording.period);
   for (std::size_t i = 0; i < letters.size(); ++i) {
-    Observation seen{Time{static_cast<std::int64_t>(i) * t.recording.period}, Label::visible, Verdict::Miss};
+    Observation seen;
+    seen.captured = Time{static_cast<std::int64_t>(i) * t.recording.period};
+    seen.label = Label::visible;
+    seen.verdict = Verdict::Miss;
     const char c = letters[i];
     if (c == 'g') seen.verdict = Verdict::Given;
     if (c == 'H') seen.verdict = Verdict::Hit, seen.hold = true;
     if (c == '.') seen.verdict = Verdict::Dropped;
     if (c == 'r') seen.verdict = Verdict::CorrectReject, seen.label = Label::absent;
     t.recording.captured.push_back(seen.captured);
-    t.trajectory.frames.push_back({c == '.' ? Delivery::dropped : Delivery::delivered});
+    t.trajectory.frames.emplace_back().delivery = c == '.' ? Delivery::dropped : Delivery::delivered;
     Judgement judgement;
     judgement.verdict = seen.verdict;
     judgement.hold = seen.hold;

@@ -28,9 +28,8 @@ TEST(KaplanMeier, AgreesWithTheWorkedExampleOfFreireich1963) {
   EXPECT_EQ(estimate.probability_by(36), std::nullopt) << "past the follow-up";
 }
 
-TEST(KaplanMeier, HasTheLimitsThatStataAndRPrintForThatExample) {
-  // `sts list` of Stata and survfit(conf.type = "log-log") of R: Kleinbaum and Klein, Survival Analysis, computer
-  // appendix, "anderson.dta", treatment group.
+TEST(KaplanMeier, HasTheLimitsThatRPrintsForThatExample) {
+  // survfit(Surv(time, event) ~ 1, conf.type = "log-log") of R 4.2.2, survival 3.5-3.
   struct Row {
     double time, low, high;
   };

@@ -7,7 +7,7 @@
 namespace relock {
 namespace {
 
-constexpr std::uint64_t kRepetitions = 800;
+constexpr std::uint64_t kRepetitions = 600;
 
 #define EXPECT_COVERS(coverage)                                           \
   EXPECT_GE((coverage).percent(), 93) << (coverage).told << " were told"; \
