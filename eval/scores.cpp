@@ -21,6 +21,7 @@ Recovery recovery_of(const std::vector<Lifetime>& losses) {
   result.recovered = static_cast<std::size_t>(
       std::count_if(losses.begin(), losses.end(), [](const Lifetime& l) { return l.event; }));
   result.median_s = unrecovered.time_until(0.5);
+  result.median_s_interval = unrecovered.time_until_interval(0.5);
   result.p90_s = unrecovered.time_until(0.1);
   result.follow_up_s = unrecovered.follow_up();
   if (losses.empty()) return result;
@@ -76,6 +77,7 @@ void what_was_lost(const Tally& tally, Scores& s) {
   if (s.losses > 0) s.mean_time_between_losses_s = s.locked_s / static_cast<double>(s.losses);
   s.silent_share = share(seconds(tally.lost.answered), seconds(tally.lost.told));
   s.recovery = recovery_of(tally.losses);
+  s.survival = tracking_survival(tally.starts);
 }
 
 /// Every recorded frame has exactly one verdict for each target: asserted on every run.

@@ -14,8 +14,9 @@ namespace relock {
 struct Recovery {
   std::size_t losses = 0;
   std::size_t recovered = 0;
-  std::optional<double> median_s, p90_s;  ///< empty: beyond the follow-up
-  double follow_up_s = 0;                 ///< longest time a loss was watched
+  std::optional<double> median_s, p90_s;      ///< empty: beyond the follow-up
+  std::optional<Interval> median_s_interval;  ///< of 95 %; an end that was never reached is infinite
+  double follow_up_s = 0;                     ///< longest time a loss was watched
   /// Probability of recovery within 0.5, 1 and 5 s; empty past the follow-up unless no loss is left.
   std::array<std::optional<double>, 3> within;
 };
@@ -50,6 +51,7 @@ struct Scores {
   std::optional<double> mean_time_between_losses_s;  ///< locked time / losses
   std::optional<double> silent_share;                ///< of lost time: a wrong answer was in force
   Recovery recovery;
+  TrackingSurvivals survival;  ///< after every start or reset
   Localization localization;
   std::array<HitCount, kBlurBinCount> by_blur{};  ///< recognition apart by the length of the true blur
   std::array<HitCount, kGapBinCount> by_gap{};    ///< recognition apart by the gap before the frame

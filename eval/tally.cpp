@@ -131,6 +131,7 @@ Tally& Tally::operator+=(const Tally& other) {
   lost.answered += other.lost.answered;
   append(losses, other.losses);
   add(losses_by_kind, other.losses_by_kind);
+  append(starts, other.starts);
   append(fixes, other.fixes);
   append(ages, other.ages);
   add(by_blur, other.by_blur);
@@ -154,6 +155,7 @@ TargetTally tally(const Recording& recording, const Trajectory& trajectory, cons
   count_bins(result.frames, gap_bins(recording, timeline.judgements), all.by_gap);
   for (const Contribution& frame : result.frames) all.sum += frame;
   add_losses(recording, timeline, visible, all);
+  all.starts = tracking_lifetimes(recording, trajectory, timeline);
   all.fixes = fixes(recording, trajectory, evaluation, target);
   all.ages = fix_ages(visible, hit_times(recording, timeline.judgements));
   return result;

@@ -7,7 +7,8 @@
 #include "eval/contribution.h"
 #include "eval/fix_age.h"
 #include "eval/localization.h"
-#include "eval/survival.h"
+#include "eval/statistics/kaplan_meier.h"
+#include "eval/tracking_survival.h"
 
 namespace relock {
 
@@ -44,6 +45,7 @@ struct Tally {
   LostTime lost;
   std::vector<Lifetime> losses;  ///< s, until recovery
   std::array<std::size_t, kLossKinds> losses_by_kind{};
+  std::vector<TrackingLifetime> starts;  ///< of every Given, to its lock's end
   std::vector<Fix> fixes;
   std::vector<AgeStretch> ages;
   std::array<HitCount, kBlurBinCount> by_blur{};

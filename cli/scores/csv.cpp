@@ -33,7 +33,7 @@ class Rows {
     for (std::size_t i = 0; i < kShareScores; ++i) share(method, i);
     row("losses", static_cast<double>(s.losses));
     row("losses_per_minute", s.losses_per_minute, method.losses_per_minute);
-    row("time_to_recover_median_s", s.recovery.median_s, method.recovery_median_s);
+    row("time_to_recover_median_s", s.recovery.median_s, method.scores.recovery.median_s_interval);
     row("silent_share", s.silent_share);
     row("f1", s.f1);
     row("wrong_identity_rate", s.wrong_identity_rate);

@@ -36,6 +36,21 @@ Json to_json(const Recovery& r) {
           {"p90_s", number(r.p90_s)}, {"follow_up_s", r.follow_up_s}, {"probability_within", within}};
 }
 
+Json to_json(const TrackingSurvival& s, std::string_view claim) {
+  return {{"median", number(s.median)},
+          {"median_interval", to_json(s.median_interval)},
+          {fmt::format("at_{}", claim), number(s.at_claim)},
+          {fmt::format("at_{}_interval", claim), to_json(s.at_claim_interval)},
+          {"follow_up", s.follow_up}};
+}
+
+Json to_json(const TrackingSurvivals& s) {
+  return {{"starts", s.starts},
+          {"losses", s.losses},
+          {"frames", to_json(s.frames, fmt::format("{}_frames", kClaimFrames))},
+          {"seconds", to_json(s.seconds, fmt::format("{}_s", kClaimSeconds))}};
+}
+
 Json to_json(const Localization& l) {
   Json within;
   for (std::size_t i = 0; i < kWithinD.size(); ++i)
@@ -95,6 +110,7 @@ Json to_json(const Scores& s) {
           {"mean_time_between_losses_s", number(s.mean_time_between_losses_s)},
           {"silent_share", number(s.silent_share)},
           {"time_to_recover", to_json(s.recovery)},
+          {"survival", to_json(s.survival)},
           {"localization", to_json(s.localization)},
           {"by_blur", bins(s.by_blur, blur_bin_name)},
           {"by_gap", bins(s.by_gap, gap_bin_name)}};
@@ -126,7 +142,7 @@ Json to_json(const MethodPool& pool, const JudgedMethod& method) {
     standings[name] = to_string(method.standings[i]);
   }
   intervals["losses_per_minute"] = to_json(method.losses_per_minute);
-  intervals["time_to_recover_median_s"] = to_json(method.recovery_median_s);
+  intervals["time_to_recover_median_s"] = to_json(method.scores.recovery.median_s_interval);
   intervals["median_px"] = to_json(method.median_px);
   return {{"method", pool.method},
           {"yardstick", pool.yardstick},

@@ -38,7 +38,6 @@ struct JudgedMethod {
   std::array<std::optional<Interval>, kShareScores> shares;
   std::array<Standing, kShareScores> standings{};
   std::optional<Interval> losses_per_minute;  ///< exact, of Poisson's distribution
-  std::optional<Interval> recovery_median_s;  ///< its high end may be infinite
   std::optional<Interval> median_px;
 };
 

@@ -48,7 +48,7 @@ std::string recovery_cell(const JudgedMethod& method) {
   if (r.losses == 0) return "-";
   const std::string value =
       r.median_s ? fmt::format("{:.2f}", *r.median_s) : fmt::format(">{:.2f}", r.follow_up_s);
-  return with_interval(value, method.recovery_median_s);
+  return with_interval(value, method.scores.recovery.median_s_interval);
 }
 
 std::string age_cell(const std::optional<double>& age) {

@@ -1,3 +1,0 @@
-#pragma once
-
-#include "eval/statistics/kaplan_meier.h"
