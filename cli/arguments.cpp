@@ -27,7 +27,7 @@ void add_run(CLI::App& app, RunArguments& a) {
   verb.add_option("--protocol", a.protocol,
                   "once (if none is given), reset (start again after a loss) or detect (no start)");
   verb.add_option("--gaps", a.gaps,
-                  "frames lost on the way: none, paper, paper-6s, bernoulli(p), gilbert-elliott(p,r), "
+                  "frames lost on the way: none, paper, paper-6s, gaps(n,p), bernoulli(p), gilbert-elliott(p,r), "
                   "periodic(n,k), trace(file) or fps(n)");
   verb.add_option("--seed", a.seed, "of everything drawn at random; else 1");
   add_gate(verb, a.gate, "protocol reset: when an answer is a Hit");

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "cli/map/cells.h"
+
+namespace relock::maps {
+
+/// Where along a row (or a column) of the map the lead changes hands.
+///
+/// `at` is where the monotone fit of the differences (isotonic least squares, rising or falling, whichever
+/// fits better) passes through zero. Its interval is found by turning the question round: between two cells
+/// the differences are interpolated seed by seed, and the interval reaches from `at` to the nearest place on
+/// either side at which the winner of that side is ahead beyond doubt (Fieller's method, point by point). So
+/// it agrees with the cells: it covers just those undecided cells about the boundary. It is open where no
+/// such place comes before the map's edge.
+struct Boundary {
+  double at = 0;                    ///< in the unit of the axis
+  std::optional<double> low, high;  ///< empty: open, beyond the map
+  Ahead before = Ahead::tracking;   ///< who leads at lesser values of the axis
+};
+
+/// `axis`: strictly increasing. Nothing when the fit has one sign all along, or is zero up to an end.
+std::optional<Boundary> boundary_of(std::span<const double> axis, std::span<const Estimate> differences);
+
+/// Least squares among sequences that never fall (pool adjacent violators).
+std::vector<double> isotonic(std::span<const double> values);
+
+}  // namespace relock::maps
