@@ -22,6 +22,7 @@ struct Arguments {
   CheckArguments check;
   NewArguments start_new;
   SimulateArguments simulate;
+  MapArguments map;
   RealismArguments realism;
   MarkerArguments marker;
   std::vector<std::filesystem::path> plugins;  // of any verb that names methods

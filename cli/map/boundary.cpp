@@ -72,7 +72,8 @@ std::vector<double> isotonic(std::span<const double> values) {
     }
   }
   std::vector<double> fit;
-  for (const Block& block : blocks) fit.insert(fit.end(), static_cast<std::size_t>(block.count), block.mean());
+  for (const Block& block : blocks)
+    fit.insert(fit.end(), static_cast<std::size_t>(block.count), block.mean());
   return fit;
 }
 

@@ -11,7 +11,8 @@ namespace {
 /// Student's t that 2.5 % exceed, for n degrees of freedom (1 to 10: tables; above: Abramowitz and Stegun
 /// 26.7.5, good to 1e-4 there).
 double student_quantile(std::size_t n) {
-  constexpr std::array kTable{12.7062, 4.3027, 3.1824, 2.7764, 2.5706, 2.4469, 2.3646, 2.3060, 2.2622, 2.2281};
+  constexpr std::array kTable{12.7062, 4.3027, 3.1824, 2.7764, 2.5706,
+                              2.4469,  2.3646, 2.3060, 2.2622, 2.2281};
   if (n <= kTable.size()) return kTable[n - 1];
   constexpr double z = 1.959964;
   const double v = static_cast<double>(n), z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
@@ -92,8 +93,8 @@ Grid<Estimate> differences(const MethodMap& tracking, const MethodMap& detection
   Grid<Estimate> all(tracking.cells.size());
   for (std::size_t row = 0; row < all.size(); ++row)
     for (std::size_t column = 0; column < tracking.cells[row].size(); ++column)
-      all[row].push_back(difference(locked_share(tracking.cells[row][column]),
-                                    locked_share(detection.cells[row][column])));
+      all[row].push_back(
+          difference(locked_share(tracking.cells[row][column]), locked_share(detection.cells[row][column])));
   return all;
 }
 
