@@ -1,5 +1,6 @@
 #include "cli/map/cells.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -30,6 +31,10 @@ double mean_share(const MethodMap& method) {
 }
 
 }  // namespace
+
+Interval Interval::within(double least, double most) const {
+  return {std::clamp(low, least, most), std::clamp(high, least, most)};
+}
 
 Interval Estimate::interval() const {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();

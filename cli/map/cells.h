@@ -12,6 +12,8 @@ namespace relock::maps {
 struct Interval {
   double low = 0, high = 0;
   bool holds(double value) const { return low <= value && value <= high; }
+  /// As far as it is between two limits that the number itself has.
+  Interval within(double least, double most) const;
 };
 
 /// Time with a lock, and visible time, of one method in one cell: of every seed in turn, s. One seed is one

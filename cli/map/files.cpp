@@ -14,6 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double kLeastShare = 0, kLeastDifference = -1;
+
 double rounded(double value, double digits) { return std::round(value * digits) / digits; }
 
 /// n/a where it is not known.
@@ -25,8 +27,8 @@ std::string place_cells(const MeasuredMap& map, std::size_t row, std::size_t col
                      map.blur[row].mean_percent, map.plan.columns[column]);
 }
 
-std::string estimate_cells(const Estimate& estimate) {
-  const Interval interval = estimate.interval();
+std::string estimate_cells(const Estimate& estimate, double least) {
+  const Interval interval = estimate.interval().within(least, 1);
   return fmt::format("{},{},{}", cell(estimate.value), cell(interval.low), cell(interval.high));
 }
 
@@ -40,8 +42,8 @@ double total(const std::vector<double>& values) {
   return sum;
 }
 
-Json estimate_json(const Estimate& estimate) {
-  const Interval interval = estimate.interval();
+Json estimate_json(const Estimate& estimate, double least) {
+  const Interval interval = estimate.interval().within(least, 1);
   return {{"value", number(estimate.value)}, {"low", number(interval.low)}, {"high", number(interval.high)}};
 }
 
@@ -77,7 +79,7 @@ Json method_json(const MeasuredMap& map, std::size_t m) {
   for (std::size_t row = 0; row < method.cells.size(); ++row) {
     Json line = Json::array();
     for (std::size_t column = 0; column < method.cells[row].size(); ++column) {
-      Json json = estimate_json(locked_share(method.cells[row][column]));
+      Json json = estimate_json(locked_share(method.cells[row][column]), kLeastShare);
       json["ceiling"] = number(map.ceilings[m][row][column]);
       line.push_back(std::move(json));
     }
@@ -102,14 +104,14 @@ std::string csv_of(const MeasuredMap& map, const Answer& answer) {
         const MethodMap& method = map.methods[m];
         const LockedTime& time = method.cells[row][column];
         text += fmt::format("{},{},{},{},{:.6f},{:.6f},{:.6f},{},\n", place, csv_cell(method.name),
-                            to_string(method.kind), estimate_cells(locked_share(time)),
+                            to_string(method.kind), estimate_cells(locked_share(time), kLeastShare),
                             map.ceilings[m][row][column], total(time.locked_s), total(time.visible_s),
                             map.plan.seeds);
       }
       const Estimate& difference = answer.difference[row][column];
-      text += fmt::format("{},{},difference,{},,,,{},{}\n", place,
-                          csv_cell(answer.tracker + " - " + answer.detector), estimate_cells(difference),
-                          map.plan.seeds, word(ahead(difference)));
+      text += fmt::format(
+          "{},{},difference,{},,,,{},{}\n", place, csv_cell(answer.tracker + " - " + answer.detector),
+          estimate_cells(difference, kLeastDifference), map.plan.seeds, word(ahead(difference)));
     }
   }
   return text;
@@ -130,7 +132,7 @@ std::string json_of(const MeasuredMap& map, const Answer& answer) {
   for (std::size_t row = 0; row < map.blur.size(); ++row) {
     Json line = Json::array();
     for (const Estimate& cell : answer.difference[row]) {
-      line.push_back(estimate_json(cell));
+      line.push_back(estimate_json(cell, kLeastDifference));
       line.back()["ahead"] = word(ahead(cell));
     }
     difference.push_back(std::move(line));

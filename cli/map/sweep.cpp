@@ -66,7 +66,7 @@ const char* to_string(Across across) {
 
 simulator::FlightPlan map_flight() {
   simulator::FlightPlan flight = simulator::flight_preset("calm");
-  flight.duration_s = 4;
+  flight.duration_s = 5;
   flight.camera.width = 320, flight.camera.height = 240;
   flight.motion.distance_m = 0.9;
   flight.motion.sway_deg = 10, flight.motion.sway_hz = 1.5;
@@ -77,7 +77,7 @@ simulator::FlightPlan map_flight() {
 std::vector<double> default_columns(Across across) {
   switch (across) {
     case Across::gap:
-      return {1, 2, 3, 4, 6, 8, 12};
+      return {1, 2, 4, 6, 8, 12};
     case Across::rate:
       return {3, 5, 7.5, 10, 15, 30};
     case Across::size:

@@ -29,16 +29,16 @@ const char* to_string(Across across);
 /// rates take frames away from the same flights.
 struct SweepPlan {
   Across across = Across::gap;
-  std::vector<double> columns{1, 2, 3, 4, 6, 8, 12};       ///< in the unit of `across`, increasing
-  std::vector<double> exposures_ms{2, 8, 14, 20, 26, 33};  ///< increasing
-  double gap_share = 0.05;       ///< Across::gap: of the intervals, how many are gaps
-  int seeds = 4;                 ///< 1, 2, … of flight and gaps
+  std::vector<double> columns{1, 2, 4, 6, 8, 12};       ///< in the unit of `across`, increasing
+  std::vector<double> exposures_ms{2, 10, 18, 26, 33};  ///< increasing
+  double gap_share = 0.05;                              ///< Across::gap: of the intervals, how many are gaps
+  int seeds = 5;                                        ///< 1, 2, … of flight and gaps
   simulator::FlightPlan flight;  ///< seed, exposure time and (Across::size) the target's size are set
   std::vector<MethodSpec> methods;
   std::filesystem::path out = "map";
 };
 
-/// The flight that is flown unless another is asked for: 4 s, 320x240 at 30 Hz, before one apriltag36h11:0 of
+/// The flight that is flown unless another is asked for: 5 s, 320x240 at 30 Hz, before one apriltag36h11:0 of
 /// about 45 px, swaying so that it moves by a quarter of its size from frame to frame.
 simulator::FlightPlan map_flight();
 std::vector<double> default_columns(Across across);
