@@ -14,7 +14,7 @@ namespace {
 constexpr double kPageWidth = 180, kMargin = 3;
 constexpr double kLeftOfPanel = 17, kAbovePanel = 8, kBelowPanel = 12.5;  // axis, title, axis
 constexpr double kMainRow = 11.5, kMethodRow = 7.5, kLegend = 9;
-constexpr double kBarWidth = 3, kBarRoom = 17;  // the colour bar at the right, with its numbers
+constexpr double kBarWidth = 3, kBarRoom = 20;  // the colour bar at the right, with its numbers
 constexpr double kGutter = 4;
 
 constexpr double kSize = 2.8, kSmallSize = 2.2, kTitleSize = 3.2, kNumberSize = 3.0;  // of letters
@@ -52,7 +52,7 @@ std::string period_of_columns(const MeasuredMap& map) {
   return fmt::format("{:.1f} ms", 1000 / map.plan.flight.camera.rate_hz);
 }
 
-/// "gap between frames, slots of 33.3 ms (1: none)"
+/// "length of gaps, slots of 33.3 ms (1: no gap)"
 std::string column_title(const MeasuredMap& map) {
   if (map.plan.across != Across::gap) return title_of_columns(map.plan.across);
   return fmt::format("length of gaps, slots of {} (1: no gap)", period_of_columns(map));
@@ -94,7 +94,7 @@ void draw_bar(Canvas& canvas, const Rectangle& bar, double low, double high, Ram
     canvas.text(label(low + (high - low) * part), bar.right() + 1, bar.bottom() - bar.height * part,
                 kSmallSize, kInk, Anchor::left);
   }
-  canvas.upright_text(title, bar.right() + 9.5, bar.middle_y(), kSmallSize, kInk);
+  canvas.upright_text(title, bar.right() + 10.5, bar.middle_y(), kSmallSize, kInk);
 }
 
 /// Where the lead changes hands, in steps: rows are measured, not what is between them.
@@ -147,13 +147,13 @@ void draw_contest(Canvas& canvas, const MeasuredMap& map, const Answer& answer, 
                        ground);
   });
   draw_axes(canvas, map, panel);
-  draw_title(canvas, panel,
-             fmt::format("Who keeps the target: tracking ({}) \u2212 detection ({})", answer.tracker,
-                         answer.detector));
+  draw_title(
+      canvas, panel,
+      fmt::format("Locked share of tracking ({}) \u2212 of detection ({})", answer.tracker, answer.detector));
 }
 
 void draw_legend(Canvas& canvas, const MeasuredMap& map, double x, double y) {
-  const Rectangle undecided{x, y - 2, 6, 4}, band{x + 62, y - 2, 6, 4};
+  const Rectangle undecided{x, y - 2, 6, 4}, band{x + 55, y - 2, 6, 4};
   canvas.fill(undecided, difference_colour(0));
   canvas.hatch(undecided, kFaint, kHatchSpacing, kHatchWidth);
   canvas.frame(undecided, kInk, 0.15);
@@ -166,7 +166,7 @@ void draw_legend(Canvas& canvas, const MeasuredMap& map, double x, double y) {
                           map.plan.across == Across::gap
                               ? fmt::format("; {:g} % of intervals are gaps", 100 * map.plan.gap_share)
                               : ""),
-              band.right() + 43, y, kSmallSize, kInk, Anchor::left);
+              band.right() + 39, y, kSmallSize, kInk, Anchor::left);
 }
 
 void draw_method(Canvas& canvas, const MeasuredMap& map, const MethodMap& method, const Panel& panel) {
@@ -190,7 +190,7 @@ struct Layout {
   Panel contest;
   std::vector<Panel> methods;
   double legend_y, height;
-  double bar_x() const { return kPageWidth - kBarRoom + kGutter; }
+  double bar_x() const { return kPageWidth - kBarRoom + kGutter; }  // of colour bars
 };
 
 Layout layout_of(const MeasuredMap& map) {
@@ -219,7 +219,7 @@ void draw_map(Canvas& canvas, const MeasuredMap& map, const Answer& answer, cons
   draw_contest(canvas, map, answer, layout.contest);
   const Rectangle& contest = layout.contest.area;
   draw_bar(canvas, {layout.bar_x(), contest.y, kBarWidth, contest.height}, -1, 1, difference_colour,
-           signed_percent, "difference of locked shares, %");
+           signed_percent, "\u2190 detection    difference, %    tracking \u2192");
   draw_legend(canvas, map, contest.x, layout.legend_y);
   for (std::size_t m = 0; m < map.methods.size(); ++m)
     draw_method(canvas, map, map.methods[m], layout.methods[m]);
