@@ -39,17 +39,17 @@ const char* letter(Ahead ahead) {
   return ahead == Ahead::tracking ? "T" : ahead == Ahead::detection ? "D" : "·";
 }
 
-/// A place on the axis with its unit: "gaps of 3.4 slots".
-std::string place(Across across, double at) {
+/// Places on the axis with their unit: "gaps of 3.4 slots".
+std::string places(Across across, const std::string& values) {
   switch (across) {
     case Across::gap:
-      return fmt::format("gaps of {:.1f} slots", at);
+      return fmt::format("gaps of {} slots", values);
     case Across::rate:
-      return fmt::format("{:.1f} Hz", at);
+      return fmt::format("{} Hz", values);
     case Across::size:
       break;
   }
-  return fmt::format("{:.0f} px", at);
+  return fmt::format("{} px", values);
 }
 
 std::string interval_text(const Boundary& boundary) {
@@ -63,7 +63,7 @@ std::string blur_text(const MeasuredMap& map, std::size_t row) {
                                          : fmt::format("{:.0f} % of D", map.blur[row].mean_percent);
 }
 
-/// Columns at which a side is ahead beyond doubt: "at 1, 2, 3".
+/// Columns at which a side is ahead beyond doubt: "1, 2, 4".
 std::string decided_columns(const MeasuredMap& map, const std::vector<Estimate>& differences, Ahead side) {
   std::string text;
   for (std::size_t column = 0; column < differences.size(); ++column)
@@ -81,15 +81,15 @@ std::string row_sentence(const MeasuredMap& map, const Answer& answer, std::size
     const bool tracking_first = found.boundary->before == Ahead::tracking;
     return fmt::format("blur {}: {} beats {} up to {} {}, and beyond it is the other way round", blur,
                        tracking_first ? tracking : detection, tracking_first ? detection : tracking,
-                       place(map.plan.across, found.boundary->at), interval_text(*found.boundary));
+                       places(map.plan.across, fmt::format("{:.1f}", found.boundary->at)),
+                       interval_text(*found.boundary));
   }
   if (found.leads == Ahead::undecided)
     return fmt::format("blur {}: no boundary within the map, and nobody is ahead beyond doubt", blur);
   const bool tracking_leads = found.leads == Ahead::tracking;
-  return fmt::format("blur {}: no boundary within the map; {} beats {} at {} {}", blur,
+  return fmt::format("blur {}: no boundary within the map; {} beats {} at {}", blur,
                      tracking_leads ? tracking : detection, tracking_leads ? detection : tracking,
-                     title_of_columns(map.plan.across),
-                     decided_columns(map, answer.difference[row], found.leads));
+                     places(map.plan.across, decided_columns(map, answer.difference[row], found.leads)));
 }
 
 }  // namespace
@@ -133,14 +133,13 @@ std::string text_of(const MeasuredMap& map, const Answer& answer) {
   std::string text = fmt::format(
       "Who has the target for longer: T tracking ({}), D detection ({}), · undecided; {} seeds of {:g} s\n\n",
       answer.tracker, answer.detector, plan.seeds, plan.flight.duration_s);
-  std::vector<std::string> header{title_of_rows(plan.across)};
+  std::vector<std::string> header{
+      fmt::format("{} \\ {}", title_of_rows(plan.across), title_of_columns(plan.across))};
   for (const double column : plan.columns) header.push_back(fmt::format("{:g}", column));
-  header.push_back(title_of_columns(plan.across));
   Table letters(header);
   for (std::size_t row = map.blur.size(); row-- > 0;) {
     std::vector<std::string> line{fmt::format("{:.1f}", blur_of_row(map, row))};
     for (const Estimate& difference : answer.difference[row]) line.push_back(letter(ahead(difference)));
-    line.push_back("");
     letters.add(line);
   }
   text += letters.text(2) + "\n";

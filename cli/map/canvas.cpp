@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <opencv2/imgcodecs.hpp>
+#include <string_view>
 #include <vector>
 
 #include "core/error.h"
@@ -29,6 +30,15 @@ cairo_status_t append(void* content, const unsigned char* bytes, unsigned int co
 void check_status(cairo_status_t status) {
   if (status != CAIRO_STATUS_SUCCESS)
     throw Error(fmt::format("Cairo cannot draw this map: {}", cairo_status_to_string(status)));
+}
+
+/// Cairo numbers the surfaces of a process, and writes the number of this one, which nothing refers to.
+void remove_surface_number(std::string& svg) {
+  constexpr std::string_view kBegin = " id=\"surface";
+  const std::size_t at = svg.find(kBegin);
+  if (at == std::string::npos) return;
+  const std::size_t end = svg.find('"', at + kBegin.size());
+  svg.erase(at, end + 1 - at);
 }
 
 void draw_on(cairo_surface_t* surface, double units_per_mm, const std::function<void(Canvas&)>& draw) {
@@ -140,6 +150,7 @@ std::string svg_of_page(double width_mm, double height_mm, const std::function<v
   draw_on(surface.get(), kPointsPerMm, draw);
   cairo_surface_finish(surface.get());
   check_status(cairo_surface_status(surface.get()));
+  remove_surface_number(content);
   return content;
 }
 

@@ -73,9 +73,9 @@ TEST(ADrawnMap, IsTheSameBytesForTheSameMapAndAnotherPictureForAnother) {
     const Answer told = answer(map, {}, {});
     return std::pair(svg_of(map, told), png_of(map, told));
   };
-  EXPECT_EQ(drawn(0.02), drawn(0.02));
-  EXPECT_NE(drawn(0.02).first, drawn(0.2).first);
-  EXPECT_NE(drawn(0.02).second, drawn(0.2).second);
+  EXPECT_TRUE(drawn(0.02) == drawn(0.02));  // too long to be shown
+  EXPECT_TRUE(drawn(0.02).first != drawn(0.2).first);
+  EXPECT_TRUE(drawn(0.02).second != drawn(0.2).second);
   EXPECT_TRUE(drawn(0.02).first.starts_with("<?xml"));
   EXPECT_TRUE(drawn(0.02).second.starts_with("\x89PNG"));
 }
