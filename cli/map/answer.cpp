@@ -52,10 +52,22 @@ std::string places(Across across, const std::string& values) {
   return fmt::format("{} px", values);
 }
 
-std::string interval_text(const Boundary& boundary) {
-  const std::string low = boundary.low ? fmt::format("{:.1f}", *boundary.low) : "beyond the map";
-  const std::string high = boundary.high ? fmt::format("{:.1f}", *boundary.high) : "beyond the map";
-  return fmt::format("[{}, {}]", low, high);
+std::string one_decimal(double value) { return fmt::format("{:.1f}", value); }
+
+/// "tracking (kcf) beats detection (aruco) up to gaps of 3.4 slots [2.1, 5.0], and beyond it is the other way
+/// round"; only what is beyond doubt is said to beat.
+std::string boundary_sentence(Across across, const Boundary& boundary, const std::string& first,
+                              const std::string& second) {
+  const std::string low = boundary.low ? one_decimal(*boundary.low) : "below the map";
+  const std::string high = boundary.high ? one_decimal(*boundary.high) : "beyond the map";
+  const std::string at = fmt::format("{} [{}, {}]", places(across, one_decimal(boundary.at)), low, high);
+  if (!boundary.high)
+    return fmt::format("{} beats {} up to {}; the lead changes at {}", first, second, places(across, low),
+                       at);
+  if (!boundary.low)
+    return fmt::format("{} beats {} from {} on; the lead changes at {}", second, first, places(across, high),
+                       at);
+  return fmt::format("{} beats {} up to {}, and beyond it is the other way round", first, second, at);
 }
 
 std::string blur_text(const MeasuredMap& map, std::size_t row) {
@@ -79,10 +91,10 @@ std::string row_sentence(const MeasuredMap& map, const Answer& answer, std::size
   const std::string blur = blur_text(map, row);
   if (found.boundary) {
     const bool tracking_first = found.boundary->before == Ahead::tracking;
-    return fmt::format("blur {}: {} beats {} up to {} {}, and beyond it is the other way round", blur,
-                       tracking_first ? tracking : detection, tracking_first ? detection : tracking,
-                       places(map.plan.across, fmt::format("{:.1f}", found.boundary->at)),
-                       interval_text(*found.boundary));
+    return fmt::format(
+        "blur {}: {}", blur,
+        boundary_sentence(map.plan.across, *found.boundary, tracking_first ? tracking : detection,
+                          tracking_first ? detection : tracking));
   }
   if (found.leads == Ahead::undecided)
     return fmt::format("blur {}: no boundary within the map, and nobody is ahead beyond doubt", blur);

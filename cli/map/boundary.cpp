@@ -90,6 +90,7 @@ std::optional<Boundary> boundary_of(std::span<const double> axis, std::span<cons
     if (point.at >= boundary.at && point.ahead == other(boundary.before) && !boundary.high)
       boundary.high = point.at;
   }
+  if (!boundary.low && !boundary.high) return {};
   return boundary;
 }
 

@@ -57,6 +57,10 @@ TEST(TheBoundary, IsOpenWhereNobodyIsAheadBeyondDoubt) {
   EXPECT_TRUE(boundary->high);
 }
 
+TEST(TheBoundary, IsNoneWhereNoiseAlonePassesThroughZero) {
+  EXPECT_FALSE(boundary_of(kAxis, sure({0.01, 0.01, 0, -0.01, -0.02, -0.02}, 0.2)));
+}
+
 TEST(TheBoundary, TakesOneCellOutOfLineForNoise) {
   const auto boundary = boundary_of(kAxis, sure({0.5, -0.02, 0.4, -0.3, -0.4, -0.5}));
   ASSERT_TRUE(boundary);
