@@ -172,7 +172,8 @@ std::string png_of_page(double width_mm, double height_mm, double dpi,
   for (int y = 0; y < drawn.rows; ++y)
     for (int x = 0; x < drawn.cols; ++x) opaque(y, x) = {drawn(y, x)[0], drawn(y, x)[1], drawn(y, x)[2]};
   std::vector<unsigned char> encoded;
-  if (!cv::imencode(".png", opaque, encoded)) throw Error("this OpenCV cannot write PNG");
+  if (!cv::imencode(".png", opaque, encoded, {cv::IMWRITE_PNG_COMPRESSION, 9}))
+    throw Error("this OpenCV cannot write PNG");
   return {encoded.begin(), encoded.end()};
 }
 

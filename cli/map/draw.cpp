@@ -153,7 +153,7 @@ void draw_contest(Canvas& canvas, const MeasuredMap& map, const Answer& answer, 
 }
 
 void draw_legend(Canvas& canvas, const MeasuredMap& map, double x, double y) {
-  const Rectangle undecided{x, y - 2, 6, 4}, band{x + 55, y - 2, 6, 4};
+  const Rectangle undecided{x, y - 2, 6, 4}, band{x + 53, y - 2, 6, 4};
   canvas.fill(undecided, difference_colour(0));
   canvas.hatch(undecided, kFaint, kHatchSpacing, kHatchWidth);
   canvas.frame(undecided, kInk, 0.15);
@@ -166,7 +166,7 @@ void draw_legend(Canvas& canvas, const MeasuredMap& map, double x, double y) {
                           map.plan.across == Across::gap
                               ? fmt::format("; {:g} % of intervals are gaps", 100 * map.plan.gap_share)
                               : ""),
-              band.right() + 39, y, kSmallSize, kInk, Anchor::left);
+              band.right() + 42, y, kSmallSize, kInk, Anchor::left);
 }
 
 void draw_method(Canvas& canvas, const MeasuredMap& map, const MethodMap& method, const Panel& panel) {
@@ -219,7 +219,7 @@ void draw_map(Canvas& canvas, const MeasuredMap& map, const Answer& answer, cons
   draw_contest(canvas, map, answer, layout.contest);
   const Rectangle& contest = layout.contest.area;
   draw_bar(canvas, {layout.bar_x(), contest.y, kBarWidth, contest.height}, -1, 1, difference_colour,
-           signed_percent, "\u2190 detection    difference, %    tracking \u2192");
+           signed_percent, "\u2190 detection   %   tracking \u2192");
   draw_legend(canvas, map, contest.x, layout.legend_y);
   for (std::size_t m = 0; m < map.methods.size(); ++m)
     draw_method(canvas, map, map.methods[m], layout.methods[m]);
