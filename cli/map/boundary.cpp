@@ -36,21 +36,19 @@ std::optional<double> crossing(std::span<const double> axis, const std::vector<d
   return axis[last] + (axis[next] - axis[last]) * fit[last] / (fit[last] - fit[next]);
 }
 
-/// The differences between cells, finely.
-struct FinePoint {
-  double at;
-  Ahead ahead;
-};
-std::vector<FinePoint> finely(std::span<const double> axis, std::span<const Estimate> differences) {
-  std::vector<FinePoint> points;
-  for (std::size_t cell = 0; cell + 1 < axis.size(); ++cell) {
-    for (int step = 0; step <= kStepsPerCell; ++step) {
-      const double part = static_cast<double>(step) / kStepsPerCell;
-      points.push_back({axis[cell] + (axis[cell + 1] - axis[cell]) * part,
-                        ahead(between(differences[cell], differences[cell + 1], part))});
-    }
+/// From the cell `decided`, at which `side` is ahead beyond doubt, towards its neighbour: how far that holds,
+/// but not past `at`.
+double last_decided(std::span<const double> axis, std::span<const Estimate> differences, std::size_t decided,
+                    std::size_t neighbour, Ahead side, double at) {
+  double place = axis[decided];
+  for (int step = 1; step <= kStepsPerCell; ++step) {
+    const double part = static_cast<double>(step) / kStepsPerCell;
+    const double next = axis[decided] + (axis[neighbour] - axis[decided]) * part;
+    const bool past = neighbour > decided ? next > at : next < at;
+    if (past || ahead(between(differences[decided], differences[neighbour], part)) != side) break;
+    place = next;
   }
-  return points;
+  return place;
 }
 
 Ahead other(Ahead side) { return side == Ahead::tracking ? Ahead::detection : Ahead::tracking; }
@@ -85,10 +83,13 @@ std::optional<Boundary> boundary_of(std::span<const double> axis, std::span<cons
   const auto at = crossing(axis, fit);
   if (!at) return {};
   Boundary boundary{*at, {}, {}, fit.front() > 0 ? Ahead::tracking : Ahead::detection};
-  for (const FinePoint& point : finely(axis, differences)) {
-    if (point.at <= boundary.at && point.ahead == boundary.before) boundary.low = point.at;
-    if (point.at >= boundary.at && point.ahead == other(boundary.before) && !boundary.high)
-      boundary.high = point.at;
+  const Ahead before = boundary.before, after = other(before);
+  for (std::size_t cell = 0; cell < axis.size(); ++cell) {
+    const Ahead winner = ahead(differences[cell]);
+    if (axis[cell] <= *at && winner == before && cell + 1 < axis.size())
+      boundary.low = last_decided(axis, differences, cell, cell + 1, before, *at);
+    if (axis[cell] >= *at && winner == after && cell > 0 && !boundary.high)
+      boundary.high = last_decided(axis, differences, cell, cell - 1, after, *at);
   }
   if (!boundary.low && !boundary.high) return {};
   return boundary;

@@ -11,11 +11,11 @@ namespace relock::maps {
 /// Where along a row (or a column) of the map the lead changes hands.
 ///
 /// `at` is where the monotone fit of the differences (isotonic least squares, rising or falling, whichever
-/// fits better) passes through zero. Its interval is found by turning the question round: between two cells
-/// the differences are interpolated seed by seed, and the interval reaches from `at` to the nearest place on
-/// either side at which the winner of that side is ahead beyond doubt (Fieller's method, point by point). So
-/// it agrees with the cells: it covers just those undecided cells about the boundary. It is open where no
-/// such place comes before the map's edge.
+/// fits better) passes through zero. Its interval is found by turning the question round (Fieller's method,
+/// point by point): it reaches from `at` on either side to the nearest cell at which the winner of that side
+/// is ahead beyond doubt, and from there back as far as that holds, where between two cells the differences
+/// are interpolated seed by seed. So it covers all the undecided cells about the boundary. It is open where
+/// no such cell comes before the map's edge.
 struct Boundary {
   double at = 0;                    ///< in the unit of the axis
   std::optional<double> low, high;  ///< empty: open, beyond the map

@@ -57,6 +57,16 @@ TEST(TheBoundary, IsOpenWhereNobodyIsAheadBeyondDoubt) {
   EXPECT_TRUE(boundary->high);
 }
 
+TEST(TheBoundary, HasAnIntervalThatCoversTheUndecidedCellsAboutIt) {
+  // Seeds disagree at 6 and at 8, and one against the other: the mean of the two alone would be decided.
+  auto differences = sure({0.5, 0.4, 0.2, -0.2, -0.2, -0.5});
+  differences[3].departures = {0.5, -0.5, 0.5, -0.5};
+  differences[4].departures = {-0.5, 0.5, -0.5, 0.5};
+  const auto boundary = boundary_of(kAxis, differences);
+  ASSERT_TRUE(boundary);
+  EXPECT_GT(boundary->high.value(), 8);
+}
+
 TEST(TheBoundary, IsNoneWhereNoiseAlonePassesThroughZero) {
   EXPECT_FALSE(boundary_of(kAxis, sure({0.01, 0.01, 0, -0.01, -0.02, -0.02}, 0.2)));
 }
