@@ -106,7 +106,7 @@ void draw_boundary(Canvas& canvas, const MeasuredMap& map, const Answer& answer,
     const Rectangle cell = panel.cell(row, 0);
     const double left = boundary.low ? panel.x_of(*boundary.low, axis) : panel.area.x;
     const double right = boundary.high ? panel.x_of(*boundary.high, axis) : panel.area.right();
-    canvas.fill({left, cell.y, right - left, cell.height}, {0.2, 0.2, 0.2}, 0.22);
+    canvas.fill({left, cell.y, right - left, cell.height}, kFaint, 0.18);
   }
   for (const auto& [width, colour] : {std::pair{1.6, kPaper}, std::pair{0.8, kInk}}) {
     std::optional<double> below;  // x in the row below
@@ -159,7 +159,7 @@ void draw_legend(Canvas& canvas, const MeasuredMap& map, double x, double y) {
   canvas.frame(undecided, kInk, 0.15);
   canvas.text("undecided: the 95 % interval holds 0", undecided.right() + 1.5, y, kSmallSize, kInk,
               Anchor::left);
-  canvas.fill(band, {0.2, 0.2, 0.2}, 0.22);
+  canvas.fill(band, kFaint, 0.18);
   canvas.line(band.middle_x(), band.y, band.middle_x(), band.bottom(), kInk, 0.8);
   canvas.text("boundary, and its 95 % interval", band.right() + 1.5, y, kSmallSize, kInk, Anchor::left);
   canvas.text(fmt::format("{} flights of {:g} s a cell{}", map.plan.seeds, map.plan.flight.duration_s,
