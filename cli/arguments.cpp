@@ -29,8 +29,8 @@ void add_run(CLI::App& app, RunArguments& a) {
                   "rules), multistart (from many frames, forward "
                   "and backward) or detect (no start)");
   verb.add_option("--gaps", a.gaps,
-                  "frames lost on the way: none, paper, paper-6s, bernoulli(p), gilbert-elliott(p,r), "
-                  "periodic(n,k), trace(file) or fps(n)");
+                  "frames lost on the way: none, paper, paper-6s, gaps(n,p), bernoulli(p), "
+                  "gilbert-elliott(p,r), periodic(n,k), trace(file) or fps(n)");
   verb.add_flag("--paired", a.paired,
                 "run as recorded, too, and tell at the end what the gaps cost each method");
   verb.add_option("--seed", a.seed, "of everything drawn at random; else 1");
@@ -177,6 +177,31 @@ void add_simulate(CLI::App& app, SimulateArguments& a) {
   verb.add_flag("--show", a.show, "print the whole plan and make nothing");
 }
 
+void add_map(CLI::App& app, MapArguments& a) {
+  CLI::App& verb = *app.add_subcommand("map", "Map where tracking beats detection, over blur and gaps");
+  verb.add_option("--axes", a.axes, "gap,blur, rate,blur or size,blur")->capture_default_str();
+  verb.add_option("--across", a.columns,
+                  "the columns: lengths of gaps in slots (a gap of 1 is none), rates in Hz or sizes in px")
+      ->delimiter(',');
+  verb.add_option("--exposures", a.exposures_ms, "the rows: exposure times in ms, which make the blur")
+      ->delimiter(',');
+  verb.add_option("--gap-share", a.gap_share, "of the intervals, how many are gaps; else 0.05");
+  verb.add_option("--seeds", a.seeds, "flights of each cell; else 5");
+  verb.add_option("--duration", a.duration_s, "of a flight, s; else 5");
+  verb.add_option("--flight", a.flight, "a flight plan (TOML) in place of the map's own");
+  verb.add_option("--target", a.target, "its target, as `relock marker` takes it; else apriltag36h11:0");
+  verb.add_option("--methods", a.methods, "trackers and detectors, separated by commas")
+      ->capture_default_str();
+  verb.add_option("--tracker", a.tracker, "which tracker is compared; else the best over the map");
+  verb.add_option("--detector", a.detector, "which detector is compared; else the best over the map");
+  verb.add_option("--out", a.out, "the map's folder; what is there already is not made again")
+      ->capture_default_str();
+  verb.add_option("--jobs,-j", a.jobs, "flights and runs at a time; the map is the same for any number")
+      ->capture_default_str();
+  verb.add_flag("--quick", a.quick, "a small map for a first look");
+  verb.add_flag("--dry-run", a.dry_run, "say what would be made, and about how long it takes");
+}
+
 void add_realism(CLI::App& app, RealismArguments& a) {
   CLI::App& verb = *app.add_subcommand("realism", "Compare a simulated flight with real footage, in numbers");
   verb.add_option("simulated", a.simulated, "the flight")->required();
@@ -259,6 +284,7 @@ void add_verbs(CLI::App& app, Arguments& arguments) {
   add_check(app, arguments.check);
   add_new(app, arguments.start_new);
   add_simulate(app, arguments.simulate);
+  add_map(app, arguments.map);
   add_realism(app, arguments.realism);
   add_marker(app, arguments.marker);
   add_export(app, arguments.export_results);

@@ -26,6 +26,7 @@ struct Arguments {
   CheckArguments check;
   NewArguments start_new;
   SimulateArguments simulate;
+  MapArguments map;
   RealismArguments realism;
   MarkerArguments marker;
   ExportArguments export_results;

@@ -135,6 +135,25 @@ struct SimulateArguments {
 };
 int simulate(const SimulateArguments& arguments);
 
+/// What is not given has the defaults of cli/map/sweep.h.
+struct MapArguments {
+  std::string axes = "gap,blur";
+  std::vector<double> columns;       ///< slots, Hz or px
+  std::vector<double> exposures_ms;  ///< the rows
+  std::optional<double> gap_share;
+  std::optional<int> seeds;
+  std::optional<double> duration_s;
+  std::optional<std::filesystem::path> flight;  ///< a plan of the flights
+  std::optional<std::string> target;
+  std::string methods = "csrt,medianflow,kcf,apriltag";
+  std::optional<std::string> tracker, detector;  ///< who are compared; else the best over the map
+  std::filesystem::path out = "map";
+  int jobs = 1;
+  bool quick = false;
+  bool dry_run = false;
+};
+int map(const MapArguments& arguments, const Methods& methods);
+
 struct RealismArguments {
   std::filesystem::path simulated;
   std::filesystem::path real = "klahaag";

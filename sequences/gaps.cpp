@@ -23,8 +23,8 @@ constexpr double kPaper6sRatio = 0.61080;
 
 [[noreturn]] void refuse(std::string_view text, std::string_view why) {
   throw Error(
-      fmt::format("the gap pattern \"{}\" {}; patterns are none, paper, paper-6s, bernoulli(p), "
-                  "gilbert-elliott(p,r), periodic(n,k), trace(file) and fps(n)",
+      fmt::format("the gap pattern \"{}\" {}; patterns are none, paper, paper-6s, gaps(n,p), "
+                  "bernoulli(p), gilbert-elliott(p,r), periodic(n,k), trace(file) and fps(n)",
                   text, why));
 }
 
@@ -121,6 +121,12 @@ GapPattern GapPattern::parse(std::string_view text) {
   if (call.name == "none" || call.name == "paper" || call.name == "paper-6s") {
     if (!call.arguments.empty()) refuse(text, "takes no numbers");
     pattern.kind_ = call.name == "none" ? Kind::none : call.name == "paper" ? Kind::paper : Kind::paper_6s;
+  } else if (call.name == "gaps") {
+    arguments(2);
+    pattern.kind_ = Kind::gaps;
+    pattern.a_ = number(text, call.arguments[0], 1, 1e9);
+    pattern.b_ = number(text, call.arguments[1], 0, 1);
+    if (pattern.a_ != std::floor(pattern.a_)) refuse(text, "needs a whole number of slots");
   } else if (call.name == "bernoulli") {
     arguments(1);
     pattern.kind_ = Kind::bernoulli;
@@ -164,6 +170,11 @@ Schedule GapPattern::apply(std::span<const Time> captured, Duration period, std:
     case Kind::paper:
       schedule = by_slots(captured, period,
                           between([&] { return random.chance(kPaperGapShare) ? kPaperGapSlots : 1; }));
+      break;
+    case Kind::gaps:
+      schedule =
+          by_slots(captured, period,
+                   between([&, gap = static_cast<std::int64_t>(a_)] { return random.chance(b_) ? gap : 1; }));
       break;
     case Kind::paper_6s:
       schedule = by_slots(captured, period, between([&] { return paper_6s_interval(random); }));

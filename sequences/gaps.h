@@ -17,6 +17,7 @@ namespace relock {
 ///   none                  as recorded
 ///   paper                 one interval in twenty spans 4 slots (30 Hz: 0.13 s)
 ///   paper-6s              one interval in twenty spans 4 slots, the others 1 to 3; 1.8 on average (60 ms)
+///   gaps(n,p)             an interval spans n slots with probability p, else one: paper is gaps(4,0.05)
 ///   bernoulli(p)          each slot is lost with probability p
 ///   gilbert-elliott(p,r)  slots are lost in bursts: one begins with probability p, ends with probability r
 ///   periodic(n,k)         of every n slots the last k are lost
@@ -36,7 +37,7 @@ class GapPattern {
                  std::span<const FrameIndex> kept) const;
 
  private:
-  enum class Kind { none, paper, paper_6s, bernoulli, gilbert_elliott, periodic, trace, fps };
+  enum class Kind { none, paper, paper_6s, gaps, bernoulli, gilbert_elliott, periodic, trace, fps };
 
   std::string text_;
   Kind kind_ = Kind::none;

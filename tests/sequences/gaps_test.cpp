@@ -55,6 +55,24 @@ TEST(Gaps, OfThePaperInSixSecondsLetAHundredFramesPass) {
   EXPECT_NEAR(interval_shares(schedule)[4], 0.05, 0.006);
 }
 
+TEST(Gaps, OfAStatedLengthHaveItAndTheirShareOfIntervals) {
+  auto shares = interval_shares(applied("gaps(7,0.1)"));
+  EXPECT_NEAR(shares[7], 0.1, 0.008);
+  EXPECT_NEAR(shares[1], 0.9, 0.008);
+  EXPECT_EQ(shares.size(), 2u);
+}
+
+TEST(Gaps, OfOneSlotTakeNothing) {
+  const auto shares = interval_shares(applied("gaps(1,0.5)"));
+  EXPECT_EQ(shares.size(), 1u);
+  EXPECT_EQ(shares.at(1), 1);
+}
+
+TEST(Gaps, OfThePaperAreOneInTwentyOfFourSlotsByTheGeneralPatternToo) {
+  const Schedule named = applied("paper", 3, 2000), stated = applied("gaps(4,0.05)", 3, 2000);
+  for (std::size_t i = 0; i < 2000; ++i) EXPECT_EQ(named.delivered(i), stated.delivered(i));
+}
+
 TEST(Gaps, OfBernoulliTakeEachSlotAlike) {
   EXPECT_NEAR(mean_interval(applied("bernoulli(0.25)")), 1 / 0.75, 0.02);
 }
@@ -122,6 +140,8 @@ TEST(Gaps, LeaveStartFramesAlone) {
 
 TEST(Gaps, ThatAreNotKnownShowThoseThatAre) {
   EXPECT_NE(fault_of([] { GapPattern::parse("papre"); }).find("is not known; patterns are none, paper"),
+            std::string::npos);
+  EXPECT_NE(fault_of([] { GapPattern::parse("gaps(2.5,0.1)"); }).find("needs a whole number of slots"),
             std::string::npos);
   EXPECT_NE(fault_of([] { GapPattern::parse("bernoulli(2)"); }).find("a number from 0 to 1"),
             std::string::npos);

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// What a map is made of, and who wins where. Nothing here knows of simulating or running.
+
+namespace relock::maps {
+
+/// A 95 % interval over seeds.
+struct Interval {
+  double low = 0, high = 0;
+  bool holds(double value) const { return low <= value && value <= high; }
+  /// As far as it is between two limits that the number itself has.
+  Interval within(double least, double most) const;
+};
+
+/// Time with a lock, and visible time, of one method in one cell: of every seed in turn, s. One seed is one
+/// flight; the same seed flies the same way in every cell.
+struct LockedTime {
+  std::vector<double> locked_s, visible_s;
+};
+
+/// A number that seeds vote on, and by how much each departs from it.
+///
+/// The standard error is sqrt(sum of squared departures / (n (n - 1))), and the interval Student's with n - 1
+/// degrees of freedom: seeds are independent and few, and a bootstrap of three flights is far too narrow.
+struct Estimate {
+  double value = 0;
+  std::vector<double> departures;  ///< of every seed; they add up to 0
+
+  /// Without a second seed it is not known: from -infinity to infinity.
+  Interval interval() const;
+};
+
+/// Locked share: locked time of all seeds over visible time of all seeds. A seed departs by what it adds to
+/// the ratio (the linearised, or sandwich, estimator). 0 without visible time.
+Estimate locked_share(const LockedTime& time);
+/// a - b, paired by seed.
+Estimate difference(const Estimate& a, const Estimate& b);
+/// `part` of the way from a to b, seed by seed.
+Estimate between(const Estimate& a, const Estimate& b, double part);
+
+enum class MethodClass : std::uint8_t { tracker, detector, yardstick };
+const char* to_string(MethodClass kind);
+
+/// Rows of a map from the least blur up, and in each its columns.
+template <class Cell>
+using Grid = std::vector<std::vector<Cell>>;
+
+/// One method over the whole map.
+struct MethodMap {
+  std::string name;  ///< as it would be typed
+  MethodClass kind = MethodClass::tracker;
+  Grid<LockedTime> cells;
+};
+
+/// Who keeps the target for longer. Ahead is who is ahead beyond doubt: the interval leaves out 0.
+enum class Ahead : std::uint8_t { undecided, tracking, detection };
+
+/// Of the difference of locked shares, tracking - detection.
+Ahead ahead(const Estimate& difference);
+
+/// The method of a class with the highest locked share over all cells, each counting the same; the first of
+/// equals. Null without one.
+const MethodMap* best_of(const std::vector<MethodMap>& methods, MethodClass kind);
+
+/// tracking - detection, cell by cell.
+Grid<Estimate> differences(const MethodMap& tracking, const MethodMap& detection);
+
+}  // namespace relock::maps
