@@ -112,6 +112,7 @@ ClaimVerdict judge_claim(const TrackingSurvivals& survival) {
   if (!frames || !time) return ClaimVerdict::too_few;
   if (frames->high < kClaimFrames) return ClaimVerdict::sooner;
   if (frames->low > kClaimFrames) return ClaimVerdict::longer;
+  if (std::isinf(frames->high) || std::isinf(time->high)) return ClaimVerdict::too_few;
   return time->low <= kClaimSeconds ? ClaimVerdict::agrees : ClaimVerdict::slower;
 }
 

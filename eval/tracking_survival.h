@@ -45,7 +45,7 @@ constexpr double kClaimSeconds = 6;
 
 /// What the lifetimes say of that claim: both medians against both figures.
 enum class ClaimVerdict : std::uint8_t {
-  too_few,  ///< an interval of a median cannot be told
+  too_few,  ///< an interval of a median cannot be told, or has no upper end
   sooner,   ///< fails before 100 frames: the whole interval is below
   agrees,   ///< 100 frames lie in the interval, and 6 s or less do
   slower,   ///< 100 frames lie in the interval, but the whole interval of seconds is above 6 s

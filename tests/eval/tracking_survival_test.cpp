@@ -107,6 +107,9 @@ TEST(TrackingSurvival, HoldsTheClaimAgainstBothMedians) {
   EXPECT_EQ(judge_claim(of_locks(10, 30)), ClaimVerdict::sooner);
   EXPECT_EQ(judge_claim(of_locks(300, 30)), ClaimVerdict::longer);
   EXPECT_EQ(judge_claim(tracking_survival({})), ClaimVerdict::too_few);
+  EXPECT_EQ(judge_claim(tracking_survival({{0, 0, true}, {3, 0.1, true}, {50, 2, false}, {60, 2, false}})),
+            ClaimVerdict::too_few)
+      << "nobody knows how long the others would have held";
 }
 
 TEST(TrackingSurvival, AtATimeMeansAHoldThenOrLater) {
