@@ -1,25 +1,12 @@
 #include "cli/map/cells.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 namespace relock::maps {
 namespace {
-
-/// Student's t that 2.5 % exceed, for n degrees of freedom (1 to 10: tables; above: Abramowitz and Stegun
-/// 26.7.5, good to 1e-4 there).
-double student_quantile(std::size_t n) {
-  constexpr std::array kTable{12.7062, 4.3027, 3.1824, 2.7764, 2.5706,
-                              2.4469,  2.3646, 2.3060, 2.2622, 2.2281};
-  if (n <= kTable.size()) return kTable[n - 1];
-  constexpr double z = 1.959964;
-  const double v = static_cast<double>(n), z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
-  return z + (z3 + z) / (4 * v) + (5 * z5 + 16 * z3 + 3 * z) / (96 * v * v) +
-         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * v * v * v);
-}
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
@@ -32,17 +19,13 @@ double mean_share(const MethodMap& method) {
 
 }  // namespace
 
-Interval Interval::within(double least, double most) const {
-  return {std::clamp(low, least, most), std::clamp(high, least, most)};
-}
-
 Interval Estimate::interval() const {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
   if (departures.size() < 2) return {-kUnknown, kUnknown};
   double squares = 0;
   for (const double departure : departures) squares += departure * departure;
   const double n = static_cast<double>(departures.size());
-  const double half = student_quantile(departures.size() - 1) * std::sqrt(squares / (n * (n - 1)));
+  const double half = student_quantile(n - 1) * std::sqrt(squares / (n * (n - 1)));
   return {value - half, value + half};
 }
 

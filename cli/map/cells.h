@@ -4,17 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "eval/statistics/interval.h"
+
 // What a map is made of, and who wins where. Nothing here knows of simulating or running.
 
 namespace relock::maps {
-
-/// A 95 % interval over seeds.
-struct Interval {
-  double low = 0, high = 0;
-  bool holds(double value) const { return low <= value && value <= high; }
-  /// As far as it is between two limits that the number itself has.
-  Interval within(double least, double most) const;
-};
 
 /// Time with a lock, and visible time, of one method in one cell: of every seed in turn, s. One seed is one
 /// flight; the same seed flies the same way in every cell.

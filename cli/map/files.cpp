@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -27,8 +28,13 @@ std::string place_cells(const MeasuredMap& map, std::size_t row, std::size_t col
                      map.blur[row].mean_percent, map.plan.columns[column]);
 }
 
+/// As far as it is between two limits that the number itself has.
+Interval as_far_as(const Interval& interval, double least, double most) {
+  return {std::clamp(interval.low, least, most), std::clamp(interval.high, least, most)};
+}
+
 std::string estimate_cells(const Estimate& estimate, double least) {
-  const Interval interval = estimate.interval().within(least, 1);
+  const Interval interval = as_far_as(estimate.interval(), least, 1);
   return fmt::format("{},{},{}", cell(estimate.value), cell(interval.low), cell(interval.high));
 }
 
@@ -43,7 +49,7 @@ double total(const std::vector<double>& values) {
 }
 
 Json estimate_json(const Estimate& estimate, double least) {
-  const Interval interval = estimate.interval().within(least, 1);
+  const Interval interval = as_far_as(estimate.interval(), least, 1);
   return {{"value", number(estimate.value)}, {"low", number(interval.low)}, {"high", number(interval.high)}};
 }
 
