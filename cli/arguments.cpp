@@ -59,6 +59,8 @@ void add_score(CLI::App& app, ScoreArguments& a) {
   verb.add_option("results", a.folders, "folders of results, or parts of them")->required();
   verb.add_option("--by", a.by, "a table for each recording, target, code, blur or gap before the frame");
   add_gate(verb, a.gate, "when an answer is a Hit");
+  verb.add_flag("--cost", a.cost,
+                "also what methods cost: time of a frame and peak memory, of all targets together");
   CLI::Option_group& format = *verb.add_option_group("format");
   const auto add_format = [&](const std::string& name, ScoreFormat value, const std::string& what) {
     format.add_flag_callback(

@@ -23,7 +23,6 @@ namespace {
 using maps::Across;
 using maps::SweepPlan;
 
-
 Across across_of(const std::string& axes) {
   const std::size_t comma = axes.find(',');
   if (comma == std::string::npos || axes.substr(comma) != ",blur")

@@ -48,16 +48,23 @@ std::size_t recordings_in(const std::vector<FoundComparison>& found) {
   return names.size();
 }
 
+std::vector<std::vector<FrameCost>> costs_of(const StoredComparison& stored) {
+  std::vector<std::vector<FrameCost>> all;
+  for (const StoredRun& run : stored.runs) all.push_back(read_costs(run.folder));
+  return all;
+}
+
 /// One comparison at a time: what is kept of it is its sums.
-void read_one(const FoundComparison& found, const std::optional<std::string>& gate, Read& read) {
+void read_one(const FoundComparison& found, const ScoreArguments& arguments, Read& read) {
   const auto note = [&](const std::string& why) { read.unreadable.push_back(why); };
   auto stored = read_comparison(found, note);
   if (!stored) return;
   try {
-    const Gate used = gate_of(*stored, gate);
+    const Gate used = gate_of(*stored, arguments.gate);
     const ScoredComparison compared = scored(*std::move(stored), used);
     for (std::size_t i = 0; i < compared.stored.runs.size(); ++i) store_scores(compared, i);
     for (ScorePool& pool : read.pools) pool.add(compared);
+    if (arguments.cost) read.pools.back().add_costs(compared, costs_of(compared.stored));
     if (const auto end = end_of_recording(compared.stored)) read.ends.push_back(*end);
   } catch (const Error& fault) {
     note(fault.what());
@@ -108,6 +115,11 @@ void print_remarks(const ScoreTable& table, std::size_t i, const Scores& s) {
                method.method, method.scored_on.size(), most);
 }
 
+bool has_costs(const ScoreTable& table) {
+  return std::any_of(table.methods.begin(), table.methods.end(),
+                     [](const MethodPool& method) { return !method.costs.empty(); });
+}
+
 class Printer {
  public:
   explicit Printer(TableFormat format) : format_(format) {}
@@ -121,6 +133,10 @@ class Printer {
     title(pooled->table);
     print_groups(all, begin, end);
     if (end - begin == 1 || pooled->table.targets() > 1) print_one(*pooled, "all targets pooled");
+    if (has_costs(pooled->table)) {
+      subtitle("what it cost, all targets together");
+      fmt::print("{}", cost_table(pooled->table).in(format_));
+    }
     if (format_ == TableFormat::text)
       for (std::size_t i = 0; i < pooled->methods.size(); ++i)
         print_remarks(pooled->table, i, pooled->methods[i].scores);
@@ -198,7 +214,7 @@ int score(const ScoreArguments& arguments) {
   else if (recordings < kRecordingsToResample)
     read.pools.emplace_back(Grouping::target, recordings);
   read.pools.emplace_back(Grouping::none, recordings);
-  for (const FoundComparison& comparison : found) read_one(comparison, arguments.gate, read);
+  for (const FoundComparison& comparison : found) read_one(comparison, arguments, read);
   auto tables = judged_tables(std::move(read.pools));
   if (!arguments.by) keep_targets_of_single_recordings(tables);
   switch (arguments.format) {

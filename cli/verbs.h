@@ -43,6 +43,7 @@ struct ScoreArguments {
   std::vector<std::filesystem::path> folders;
   std::optional<std::string> gate;  ///< else the one by which resets were judged, else centre
   std::optional<std::string> by;    ///< a table for each recording, target, code, bin of blur or of gap
+  bool cost = false;                ///< also what methods cost: not the same from run to run
   ScoreFormat format = ScoreFormat::text;
 };
 int score(const ScoreArguments& arguments);

@@ -1,5 +1,7 @@
 #include "eval/replay.h"
 
+#include <sys/resource.h>
+
 #include <fmt/format.h>
 
 #include <ctime>
@@ -25,11 +27,17 @@ Duration process_cpu() {
   return std::chrono::seconds(now.tv_sec) + Duration(now.tv_nsec);
 }
 
+std::int64_t peak_memory_bytes() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  return 1024 * std::int64_t{used.ru_maxrss};
+}
+
 /// Times what happens between its making and `cost`.
 class Stopwatch {
  public:
   FrameCost cost(FrameIndex frame) const {
-    return {frame, std::chrono::steady_clock::now() - wall_, process_cpu() - cpu_};
+    return {frame, std::chrono::steady_clock::now() - wall_, process_cpu() - cpu_, peak_memory_bytes()};
   }
 
  private:

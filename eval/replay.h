@@ -20,7 +20,8 @@ namespace relock {
 struct FrameCost {
   FrameIndex frame = 0;
   Duration wall{0};
-  Duration cpu{0};  ///< of the whole process
+  Duration cpu{0};              ///< of the whole process
+  std::int64_t peak_bytes = 0;  ///< most memory that the process has held so far
 };
 
 /// A method that threw, crashed or gave no answer in time, and where.

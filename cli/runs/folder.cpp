@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <fstream>
@@ -17,6 +18,7 @@
 #include <thread>
 
 #include "cli/files.h"
+#include "core/csv.h"
 #include "core/error.h"
 #include "eval/answers_csv.h"
 #include "eval/trajectory_csv.h"
@@ -62,9 +64,10 @@ std::string protocol_slug(const RunRecord& record) {
 }
 
 std::string timing_csv(const std::vector<FrameCost>& costs) {
-  std::string text = "frame,wall_ms,cpu_ms\n";
+  std::string text = "frame,wall_ms,cpu_ms,peak_mb\n";
   for (const FrameCost& cost : costs)
-    text += fmt::format("{},{:.4f},{:.4f}\n", cost.frame, 1e3 * seconds(cost.wall), 1e3 * seconds(cost.cpu));
+    text += fmt::format("{},{:.4f},{:.4f},{:.1f}\n", cost.frame, 1e3 * seconds(cost.wall),
+                        1e3 * seconds(cost.cpu), 1e-6 * static_cast<double>(cost.peak_bytes));
   return text;
 }
 
@@ -267,6 +270,20 @@ void store_run(const fs::path& folder, const FinishedRun& run) {
     throw;
   }
   put_in_place(draft, folder);
+}
+
+std::vector<FrameCost> read_costs(const fs::path& run_folder) {
+  const fs::path path = run_folder / "timing.csv";
+  if (!fs::exists(path)) return {};
+  std::istringstream text(read_file(path));
+  CsvReader rows(text, path.string());
+  const auto frame = rows.column("frame"), wall = rows.column("wall_ms"), cpu = rows.column("cpu_ms"),
+             peak = rows.column("peak_mb");
+  std::vector<FrameCost> costs;
+  while (rows.next())
+    costs.push_back({rows.whole(frame), from_seconds(1e-3 * rows.number(wall)),
+                     from_seconds(1e-3 * rows.number(cpu)), std::llround(1e6 * rows.number(peak))});
+  return costs;
 }
 
 std::vector<FoundComparison> find_results(const fs::path& folder) {

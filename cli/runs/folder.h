@@ -77,6 +77,9 @@ struct FinishedRun {
 /// Writes a run, in the place of an older one: whole or not at all.
 void store_run(const std::filesystem::path& folder, const FinishedRun& run);
 
+/// What a run cost, frame by frame: its timing.csv; nothing where it has none. Throws Error with file and line.
+std::vector<FrameCost> read_costs(const std::filesystem::path& run_folder);
+
 /// The runs of a comparison, found and not read yet.
 struct FoundComparison {
   std::filesystem::path folder;

@@ -67,7 +67,7 @@ void replay_and_tell(const Matrix& matrix, const PlannedRun& run, const Tell& te
     const std::size_t frame = so_far.trajectory.frames.size() - 1;
     const bool asked = !so_far.costs.empty() && so_far.costs.back().frame == static_cast<FrameIndex>(frame);
     const FrameCost cost = asked ? so_far.costs.back() : FrameCost{};
-    message = fmt::format("{}{},{}", kReported, cost.wall.count(), cost.cpu.count());
+    message = fmt::format("{}{},{},{}", kReported, cost.wall.count(), cost.cpu.count(), cost.peak_bytes);
     if (asked && !so_far.answers.empty() && so_far.answers.back().frame == cost.frame)
       message += fmt::format(",{}", ns(so_far.answers.back().finished));
     message += '\n';
@@ -140,10 +140,11 @@ void Worker::hear(const std::string& message) {
     case kReported: {
       const std::size_t head = text.find('\n');
       const auto numbers = numbers_in(text.substr(0, head));
-      if (asked_) costs_.push_back({*asked_, Duration(numbers.at(0)), Duration(numbers.at(1))});
-      if (asked_ && numbers.size() > 2) {
+      if (asked_)
+        costs_.push_back({*asked_, Duration(numbers.at(0)), Duration(numbers.at(1)), numbers.at(2)});
+      if (asked_ && numbers.size() > 3) {
         const auto& captured = matrix_.sequence_of(run_).recording.captured;
-        answers_.push_back({*asked_, captured[static_cast<std::size_t>(*asked_)], time_ns(numbers[2])});
+        answers_.push_back({*asked_, captured[static_cast<std::size_t>(*asked_)], time_ns(numbers[3])});
       }
       asked_.reset();
       ++frames_done_;

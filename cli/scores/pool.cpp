@@ -101,6 +101,19 @@ void ScorePool::add(const ScoredComparison& compared) {
   }
 }
 
+void ScorePool::add_costs(const ScoredComparison& compared,
+                          const std::vector<std::vector<FrameCost>>& costs) {
+  const auto parts = parts_of(compared.stored.recording);
+  for (std::size_t run = 0; run < compared.stored.runs.size(); ++run) {
+    // A run costs what it costs for all its targets together.
+    const auto part = std::find_if(parts.begin(), parts.end(),
+                                   [&](const Part& each) { return asked(compared, run, each.target); });
+    if (part == parts.end()) continue;
+    MethodPool& pool = pool_of(table_of(compared, *part), compared.stored.runs[run].record);
+    pool.costs.insert(pool.costs.end(), costs[run].begin(), costs[run].end());
+  }
+}
+
 std::vector<ScorePool::Part> ScorePool::parts_of(const Recording& recording) const {
   std::vector<Part> parts;
   for (std::size_t t = 0; t < recording.targets.size(); ++t) {

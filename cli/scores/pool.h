@@ -26,8 +26,9 @@ struct MethodPool {
   bool deterministic = true;
   std::size_t runs = 0;
   Tally tally;
-  RealTimeScores real_time;  ///< of runs made in real time
-  std::vector<Fix> common;   ///< Hits common to all methods asked about the target, yardsticks apart
+  std::vector<FrameCost> costs;  ///< of every frame it was asked about, where they are asked for
+  RealTimeScores real_time;      ///< of runs made in real time
+  std::vector<Fix> common;       ///< Hits common to all methods asked about the target, yardsticks apart
   /// What each frame of each recording added, over all runs on it: one element where frames are not kept apart.
   std::map<std::string, std::vector<Contribution>> frames;
   std::map<std::string, std::vector<double>> errors_px;     ///< of the Hits on each recording, in order
@@ -69,6 +70,8 @@ class ScorePool {
   ScorePool(Grouping grouping, std::size_t recordings) : grouping_(grouping), recordings_(recordings) {}
 
   void add(const ScoredComparison& compared);
+  /// What the runs of a comparison that was added cost, run by run.
+  void add_costs(const ScoredComparison& compared, const std::vector<std::vector<FrameCost>>& costs);
   /// In order of their conditions and groups.
   std::vector<ScoreTable> tables() &&;
 

@@ -138,6 +138,27 @@ Table real_time_table(const ScoreTable& table) {
   return lines;
 }
 
+Table cost_table(const ScoreTable& table) {
+  Table lines({"method", "wall ms", "p95", "max", "CPU ms", "p95", "max", "skipped", "peak MB"});
+  for (const MethodPool& method : table.methods) {
+    std::vector<double> wall, cpu;
+    std::int64_t peak = 0;
+    for (const FrameCost& cost : method.costs) {
+      wall.push_back(1e3 * seconds(cost.wall));
+      cpu.push_back(1e3 * seconds(cost.cpu));
+      peak = std::max(peak, cost.peak_bytes);
+    }
+    const auto at = [](const std::vector<double>& all, double share) {
+      return all.empty() ? "n/a" : fmt::format("{:.2f}", percentile(all, share));
+    };
+    const std::size_t skipped = method.tally.verdicts[static_cast<std::size_t>(Verdict::Skipped)];
+    lines.add({method.method, at(wall, 0.5), at(wall, 0.95), at(wall, 1), at(cpu, 0.5), at(cpu, 0.95),
+               at(cpu, 1), part_cell(skipped, method.tally.frames),
+               wall.empty() ? "n/a" : fmt::format("{:.0f}", 1e-6 * static_cast<double>(peak))});
+  }
+  return lines;
+}
+
 Table bins_table(const std::vector<const JudgedTable*>& bins) {
   std::vector<std::string> header{"method"}, methods;
   for (const JudgedTable* bin : bins) {

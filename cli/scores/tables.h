@@ -24,6 +24,8 @@ Table exactness_table(const JudgedTable& judged);
 /// What methods saw of the recording in real time, what a controller had of their answers, and what was lost to
 /// slowness, gaps and failure.
 Table real_time_table(const ScoreTable& table);
+/// What methods cost: wall and CPU time of a frame, the share of frames skipped, and peak memory.
+Table cost_table(const ScoreTable& table);
 /// Recognition, a column for each bin; all tables have the same conditions.
 Table bins_table(const std::vector<const JudgedTable*>& bins);
 
