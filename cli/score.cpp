@@ -115,6 +115,12 @@ void print_remarks(const ScoreTable& table, std::size_t i, const Scores& s) {
                method.method, method.scored_on.size(), most);
 }
 
+/// Whether anything could be hit there.
+bool has_frames(const ScoreTable& table) {
+  return std::any_of(table.methods.begin(), table.methods.end(),
+                     [](const MethodPool& method) { return method.tally.sum.could_hit > 0; });
+}
+
 bool has_costs(const ScoreTable& table) {
   return std::any_of(table.methods.begin(), table.methods.end(),
                      [](const MethodPool& method) { return !method.costs.empty(); });
@@ -161,10 +167,11 @@ class Printer {
     for (std::size_t i = begin; i < end; ++i) {
       const ScoreTable& table = all[i].table;
       if (table.grouping == Grouping::none) continue;
-      if (table.grouping == Grouping::blur || table.grouping == Grouping::gap)
-        bins.push_back(&all[i]);
-      else
+      if (table.grouping == Grouping::blur || table.grouping == Grouping::gap) {
+        if (has_frames(table)) bins.push_back(&all[i]);
+      } else {
         print_one(all[i], fmt::format("{} {}", to_string(table.grouping), table.group));
+      }
     }
     if (bins.empty()) return;
     subtitle(bins.front()->table.grouping == Grouping::blur ? "recognition by length of the true blur"
