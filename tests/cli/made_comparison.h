@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/comparison.h"
+#include "cli/scores/pool.h"
+#include "cli/scores/tables.h"
+
+namespace relock {
+
+/// What one method said of each target, one letter a frame: H where it is, S somewhere else, M nothing, . never came.
+struct MadeRun {
+  std::string method;
+  std::vector<std::string> targets;
+  bool yardstick = false;
+};
+
+/// Targets that are always visible at 30 Hz, the first with a code and blurred more and more; run under what
+/// `record` says.
+StoredComparison made_comparison(const std::string& recording, const std::vector<MadeRun>& runs,
+                                 const RunRecord& record = {.gaps = "none"});
+
+/// As many letters, H but for M in outages of `length` frames: the n-th begins at n * `every` + `from`, moved on by
+/// up to four frames, so that they are not regular.
+std::string with_outages(std::size_t frames, std::size_t every, std::size_t length, std::size_t from = 7);
+
+/// Judged by `gate` and pooled.
+std::vector<ScoreTable> pooled_tables(const std::vector<StoredComparison>& all,
+                                      Grouping grouping = Grouping::none, const Gate& gate = {});
+std::vector<JudgedTable> judged_tables(const std::vector<StoredComparison>& all,
+                                       Grouping grouping = Grouping::none);
+
+}  // namespace relock
