@@ -19,15 +19,15 @@ std::map<std::string, JudgedMethod> judged_by_name(const std::vector<StoredCompa
 }
 
 TEST(Standings, AreWorseForAMethodThatIsClearlyWorse) {
-  const auto methods = judged_by_name({made_comparison("a", {{"good", {with_outages(kFrames, 50, 2)}},
-                                                             {"bad", {with_outages(kFrames, 20, 9)}}})});
+  const auto methods = judged_by_name({made_comparison(
+      "a", {{"good", {with_outages(kFrames, 50, 2)}}, {"bad", {with_outages(kFrames, 20, 9)}}})});
   EXPECT_EQ(methods.at("good").standings[kRecognition], Standing::best);
   EXPECT_EQ(methods.at("bad").standings[kRecognition], Standing::worse);
 }
 
 TEST(Standings, AreTiedForAMethodThatMissesAsMuchElsewhere) {
-  const auto methods = judged_by_name({made_comparison("a", {{"one", {with_outages(kFrames, 40, 6)}},
-                                                             {"other", {with_outages(kFrames, 41, 6, 22)}}})});
+  const auto methods = judged_by_name({made_comparison(
+      "a", {{"one", {with_outages(kFrames, 40, 6)}}, {"other", {with_outages(kFrames, 41, 6, 22)}}})});
   EXPECT_EQ(methods.at("other").standings[kRecognition] == Standing::best
                 ? methods.at("one").standings[kRecognition]
                 : methods.at("other").standings[kRecognition],
@@ -42,10 +42,9 @@ TEST(Standings, AreTiedForAMethodThatSaysTheSame) {
 }
 
 TEST(Standings, LeaveYardsticksOut) {
-  const auto methods =
-      judged_by_name({made_comparison("a", {{"mine", {with_outages(kFrames, 40, 6)}},
-                                            {"oracle", {std::string(kFrames, 'H')}, true},
-                                            {"mute", {std::string(kFrames, 'M')}, true}})});
+  const auto methods = judged_by_name({made_comparison("a", {{"mine", {with_outages(kFrames, 40, 6)}},
+                                                             {"oracle", {std::string(kFrames, 'H')}, true},
+                                                             {"mute", {std::string(kFrames, 'M')}, true}})});
   for (std::size_t score = 0; score < kShareScores; ++score) {
     EXPECT_EQ(methods.at("mine").standings[score], Standing::best) << share_scores()[score].name;
     EXPECT_EQ(methods.at("oracle").standings[score], Standing::none) << share_scores()[score].name;
@@ -82,9 +81,11 @@ TEST(Intervals, HoldTheirScore) {
 }
 
 TEST(ShareScores, AreWhatTheirFramesAddUpTo) {
-  const auto table = pooled_tables({made_comparison(
-      "a", {{"mine", {"HHHHHMHHHHHHMMMMMMHHHHHSSSHHHHHH", "HHHHSHHHHHHHMMMMMMHHHHHSSSHHHHHH"}}})})
-                         .at(0);
+  const auto table =
+      pooled_tables(
+          {made_comparison(
+              "a", {{"mine", {"HHHHHMHHHHHHMMMMMMHHHHHSSSHHHHHH", "HHHHSHHHHHHHMMMMMMHHHHHSSSHHHHHH"}}})})
+          .at(0);
   const JudgedMethod mine = judged(table).at(0);
   for (const ShareScore& score : share_scores()) {
     double part = 0, whole = 0;

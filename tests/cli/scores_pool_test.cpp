@@ -71,8 +71,7 @@ TEST(PooledScores, OfABackwardRunAreLaidBackToFront) {
   RunRecord record{.gaps = "none", .protocol = Protocol::multistart, .anchor = Anchor{}};
   const auto forward = made_comparison("a", {{"mine", {kFirst}}}, record);
   record.anchor = Anchor{static_cast<FrameIndex>(kFirst.size()) - 1, Direction::backward};
-  auto backward =
-      made_comparison("a", {{"mine", {std::string(kFirst.rbegin(), kFirst.rend())}}}, record);
+  auto backward = made_comparison("a", {{"mine", {std::string(kFirst.rbegin(), kFirst.rend())}}}, record);
   backward.recording = reflected(forward.recording);
   const auto alone = pooled_tables({forward}), both = pooled_tables({forward, backward});
   ASSERT_EQ(both.size(), 1u);
@@ -89,13 +88,13 @@ TEST(PooledScores, OfABackwardRunAreLaidBackToFront) {
 
 TEST(Tables, NeverHoldRunsOfOtherConditions) {
   std::vector<StoredComparison> all;
-  for (const RunRecord& record : std::vector<RunRecord>{
-           {.gaps = "none"},
-           {.gaps = "paper"},
-           {.gaps = "none", .protocol = Protocol::reset},
-           {.gaps = "none", .real_time = "latest", .latency = "constant(20ms)"},
-           {.gaps = "none", .real_time = "queue(2)", .latency = "constant(20ms)"},
-           {.gaps = "none", .real_time = "latest", .latency = "constant(30ms)"}})
+  for (const RunRecord& record :
+       std::vector<RunRecord>{{.gaps = "none"},
+                              {.gaps = "paper"},
+                              {.gaps = "none", .protocol = Protocol::reset},
+                              {.gaps = "none", .real_time = "latest", .latency = "constant(20ms)"},
+                              {.gaps = "none", .real_time = "queue(2)", .latency = "constant(20ms)"},
+                              {.gaps = "none", .real_time = "latest", .latency = "constant(30ms)"}})
     all.push_back(made_comparison("a", {{"mine", {kFirst}}}, record));
   ScorePool pool(Grouping::none, 1);
   for (const StoredComparison& one : all) pool.add(scored(one, {}));
@@ -128,8 +127,10 @@ TEST(PooledFrames, AreTotalsFromTenRecordingsOn) {
 }
 
 TEST(Methods, AreByNameWithYardsticksLast) {
-  const auto table = pooled_tables({made_comparison(
-      "a", {{"zebra", {kFirst}}, {"oracle", {kFirst}, true}, {"ant", {kFirst}}, {"mute", {kFirst}, true}})})
+  const auto table = pooled_tables({made_comparison("a", {{"zebra", {kFirst}},
+                                                          {"oracle", {kFirst}, true},
+                                                          {"ant", {kFirst}},
+                                                          {"mute", {kFirst}, true}})})
                          .at(0);
   std::vector<std::string> names;
   for (const MethodPool& method : table.methods) names.push_back(method.method);
