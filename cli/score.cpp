@@ -50,7 +50,10 @@ std::size_t recordings_in(const std::vector<FoundComparison>& found) {
 
 /// One comparison at a time: what is kept of it is its sums.
 void read_one(const FoundComparison& found, const std::optional<std::string>& gate, Read& read) {
-  const auto note = [&](const std::string& why) { read.unreadable.push_back(why); };
+  // All comparisons on a recording have its truth, and whatever is wrong with it, in common.
+  const auto note = [&](const std::string& why) {
+    if (std::ranges::find(read.unreadable, why) == read.unreadable.end()) read.unreadable.push_back(why);
+  };
   auto stored = read_comparison(found, note);
   if (!stored) return;
   try {

@@ -34,8 +34,6 @@ std::string in_latex(char c) {
       return "\\textasciicircum{}";
     case '~':
       return "\\textasciitilde{}";
-    case '`':
-      return "\\textasciigrave{}";
     default:
       break;
   }
