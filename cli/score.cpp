@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
+#include <map>
+#include <set>
 #include <sstream>
 
 #include "cli/comparison.h"
@@ -34,9 +35,14 @@ struct Read {
   std::vector<std::string> unreadable;
 };
 
+/// A run that is found below several folders counts once.
 std::vector<FoundComparison> found_below(const std::vector<std::filesystem::path>& folders) {
+  std::map<std::filesystem::path, std::set<std::filesystem::path>> runs_of;  // by comparison
+  for (const auto& folder : folders)
+    for (const FoundComparison& found : find_results(folder))
+      runs_of[found.folder].insert(found.runs.begin(), found.runs.end());
   std::vector<FoundComparison> all;
-  for (const auto& folder : folders) std::ranges::move(find_results(folder), std::back_inserter(all));
+  for (const auto& [comparison, runs] : runs_of) all.push_back({comparison, {runs.begin(), runs.end()}});
   return all;
 }
 

@@ -129,12 +129,12 @@ class TrajectoryReader {
   FrameReport& report_of_this_row() {
     const std::int64_t frame = rows_.whole(frame_);
     const auto last = static_cast<std::int64_t>(frames_.size()) - 1;
-    if (frame < 0 || frame >= static_cast<std::int64_t>(recording_.frames()))
-      rows_.fail(fmt::format("frame {} does not exist in {} (it has {} frames, from 0)", frame, recording_.name,
-                             recording_.frames()));
     if (frame != last && frame != last + 1)
       rows_.fail(fmt::format("frame {} comes after frame {}; every recorded frame must be there, in order",
                              frame, last));
+    if (frame < 0 || frame >= static_cast<std::int64_t>(recording_.frames()))
+      rows_.fail(fmt::format("frame {} does not exist in {} (it has {} frames, from 0)", frame,
+                             recording_.name, recording_.frames()));
     if (rows_.whole(captured_) != ns(recording_.captured[static_cast<std::size_t>(frame)]))
       rows_.fail(fmt::format("frame {} was captured at {} ns in {}; is this trajectory of another recording?",
                              frame, ns(recording_.captured[static_cast<std::size_t>(frame)]),
