@@ -188,7 +188,7 @@ class Printer {
 void print_tables(const std::vector<JudgedTable>& tables, TableFormat format, const Read& read) {
   Printer printer(format);
   for (std::size_t i = 0; i < tables.size();) i = printer.print(tables, i);
-  if (format != TableFormat::text) return;
+  if (format != TableFormat::text || tables.empty()) return;
   for (const std::string& end : read.ends) fmt::print("  {}\n", end);
   fmt::print("{}", table_footnote());
   if (std::any_of(tables.begin(), tables.end(),

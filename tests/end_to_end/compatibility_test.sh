@@ -58,7 +58,8 @@ starts=$("$relock" compatibility "$work/starts" --eao 5 20 2>&1)
 expect "multistart: compatibility" 0 $?
 expect_contains "multistart: its rules" "VOT (toolkit 0.8.0, multi-start; threshold" "$starts"
 expect "multistart: one table has template" 1 "$(row_of template "$starts" | wc -l)"
-expect "multistart: two starts of a perfect method" "oracle 2 1.0000 0 1.0000 1.0000" "$(row_of oracle "$starts")"
+# 53 and 51 frames; the toolkit takes the anchors' own for empty.
+expect "multistart: two starts of a perfect method" "oracle 2 0.9808 0 1.0000 1.0000" "$(row_of oracle "$starts")"
 expect "multistart: both starts of a mute one fail" "2 2" "$(awk '$1 == "mute" { print $2, $4 }' <<<"$starts")"
 expect "multistart: scores are shares" 5 \
   "$(awk 'NF == 6 && $2 == 2 && $3 >= 0 && $3 <= 1 && $5 >= 0 && $5 <= 1 && $6 >= 0 && $6 <= 1' <<<"$starts" | wc -l)"
