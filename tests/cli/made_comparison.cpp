@@ -42,8 +42,14 @@ FrameReport report_of(const Recording& recording, const MadeRun& run, std::size_
   return report;
 }
 
-StoredRun stored_run(const Recording& recording, const MadeRun& run, const RunRecord& record) {
-  StoredRun stored{{}, record, {}};
+StoredRun stored_run(const Recording& recording, const MadeRun& run, const MadeConditions& conditions) {
+  StoredRun stored;
+  stored.record.gaps = conditions.gaps;
+  stored.record.seed = conditions.seed;
+  stored.record.protocol = conditions.protocol;
+  stored.record.anchor = conditions.anchor;
+  stored.record.real_time = conditions.real_time;
+  stored.record.latency = conditions.latency;
   stored.record.recording = recording.name;
   stored.record.method = run.method;
   stored.record.yardstick = run.yardstick;
@@ -52,7 +58,7 @@ StoredRun stored_run(const Recording& recording, const MadeRun& run, const RunRe
   for (std::size_t frame = 0; frame < recording.frames(); ++frame) {
     stored.trajectory.frames.push_back(report_of(recording, run, frame));
     const bool answered = stored.trajectory.frames.back().delivery == Delivery::delivered;
-    if (!record.real_time.empty() && answered)
+    if (!conditions.real_time.empty() && answered)
       stored.answers.push_back(
           {static_cast<FrameIndex>(frame), recording.captured[frame], recording.captured[frame]});
   }
@@ -62,10 +68,10 @@ StoredRun stored_run(const Recording& recording, const MadeRun& run, const RunRe
 }  // namespace
 
 StoredComparison made_comparison(const std::string& recording, const std::vector<MadeRun>& runs,
-                                 const RunRecord& record) {
+                                 const MadeConditions& conditions) {
   const auto& targets = runs.front().targets;
   StoredComparison made{{}, made_recording(recording, targets.size(), targets.front().size()), {}};
-  for (const MadeRun& run : runs) made.runs.push_back(stored_run(made.recording, run, record));
+  for (const MadeRun& run : runs) made.runs.push_back(stored_run(made.recording, run, conditions));
   return made;
 }
 

@@ -16,10 +16,19 @@ struct MadeRun {
   bool yardstick = false;
 };
 
-/// Targets that are always visible at 30 Hz, the first with a code and blurred more and more; run under what
-/// `record` says.
+/// How runs were made.
+struct MadeConditions {
+  std::string gaps = "none";
+  std::uint64_t seed = 1;
+  Protocol protocol = Protocol::once;
+  std::optional<Anchor> anchor = {};
+  std::string real_time = {};
+  std::string latency = {};
+};
+
+/// Targets that are always visible at 30 Hz, the first with a code and blurred more and more.
 StoredComparison made_comparison(const std::string& recording, const std::vector<MadeRun>& runs,
-                                 const RunRecord& record = {.gaps = "none"});
+                                 const MadeConditions& conditions = {});
 
 /// As many letters, H but for M in outages of `length` frames: the n-th begins at n * `every` + `from`, moved on by
 /// up to four frames, so that they are not regular.

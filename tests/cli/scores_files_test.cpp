@@ -19,7 +19,7 @@ std::vector<JudgedTable> some_tables(Grouping grouping = Grouping::none) {
   const std::vector<MadeRun> runs{{kSpoken, {kLetters, kLetters}},
                                   {kQuoted, {kLetters, std::string(kLetters.size(), 'M')}},
                                   {"mute", {std::string(kLetters.size(), 'M'), kLetters}, true}};
-  const RunRecord slow{.gaps = "none", .real_time = "latest", .latency = "constant(20ms)"};
+  const MadeConditions slow{.real_time = "latest", .latency = "constant(20ms)"};
   return judged_tables({made_comparison("a", runs), made_comparison("a", runs, slow)}, grouping);
 }
 
@@ -66,7 +66,9 @@ TEST(ScoresCsv, ReadsBackAsTheScores) {
                                              judged.table.methods[i].method, std::string(score.name)});
         const auto& value = judged.methods[i].scores.*score.value;
         ASSERT_EQ(value.has_value(), !read.empty()) << score.name;
-        if (value) EXPECT_NEAR(std::stod(read), *value, 1e-6) << score.name;
+        if (value) {
+          EXPECT_NEAR(std::stod(read), *value, 1e-6) << score.name;
+        }
       }
 }
 

@@ -46,10 +46,10 @@ TEST(PooledScores, AreThoseOfTalliesAddedUp) {
 }
 
 TEST(PooledScores, OfTwoSeedsAddFrameByFrameAndAreOfOneRecording) {
-  RunRecord record{.gaps = "bernoulli(0.1)"};
-  const auto one = made_comparison("a", {{"mine", {"HHHMMHHHHHHH"}}}, record);
-  record.seed = 2;
-  const auto two = made_comparison("a", {{"mine", {"HH.HMHHMMMHH"}}}, record);
+  MadeConditions conditions{.gaps = "bernoulli(0.1)"};
+  const auto one = made_comparison("a", {{"mine", {"HHHMMHHHHHHH"}}}, conditions);
+  conditions.seed = 2;
+  const auto two = made_comparison("a", {{"mine", {"HH.HMHHMMMHH"}}}, conditions);
   const auto tables = pooled_tables({one, two});
   ASSERT_EQ(tables.size(), 1u);
   EXPECT_EQ(tables[0].recordings, std::set<std::string>{"a"});
@@ -68,10 +68,10 @@ TEST(PooledScores, OfTwoSeedsAddFrameByFrameAndAreOfOneRecording) {
 }
 
 TEST(PooledScores, OfABackwardRunAreLaidBackToFront) {
-  RunRecord record{.gaps = "none", .protocol = Protocol::multistart, .anchor = Anchor{}};
-  const auto forward = made_comparison("a", {{"mine", {kFirst}}}, record);
-  record.anchor = Anchor{static_cast<FrameIndex>(kFirst.size()) - 1, Direction::backward};
-  auto backward = made_comparison("a", {{"mine", {std::string(kFirst.rbegin(), kFirst.rend())}}}, record);
+  MadeConditions conditions{.protocol = Protocol::multistart, .anchor = Anchor{}};
+  const auto forward = made_comparison("a", {{"mine", {kFirst}}}, conditions);
+  conditions.anchor = Anchor{static_cast<FrameIndex>(kFirst.size()) - 1, Direction::backward};
+  auto backward = made_comparison("a", {{"mine", {std::string(kFirst.rbegin(), kFirst.rend())}}}, conditions);
   backward.recording = reflected(forward.recording);
   const auto alone = pooled_tables({forward}), both = pooled_tables({forward, backward});
   ASSERT_EQ(both.size(), 1u);
@@ -88,14 +88,14 @@ TEST(PooledScores, OfABackwardRunAreLaidBackToFront) {
 
 TEST(Tables, NeverHoldRunsOfOtherConditions) {
   std::vector<StoredComparison> all;
-  for (const RunRecord& record :
-       std::vector<RunRecord>{{.gaps = "none"},
-                              {.gaps = "paper"},
-                              {.gaps = "none", .protocol = Protocol::reset},
-                              {.gaps = "none", .real_time = "latest", .latency = "constant(20ms)"},
-                              {.gaps = "none", .real_time = "queue(2)", .latency = "constant(20ms)"},
-                              {.gaps = "none", .real_time = "latest", .latency = "constant(30ms)"}})
-    all.push_back(made_comparison("a", {{"mine", {kFirst}}}, record));
+  for (const MadeConditions& conditions :
+       std::vector<MadeConditions>{{},
+                                   {.gaps = "paper"},
+                                   {.protocol = Protocol::reset},
+                                   {.real_time = "latest", .latency = "constant(20ms)"},
+                                   {.real_time = "queue(2)", .latency = "constant(20ms)"},
+                                   {.real_time = "latest", .latency = "constant(30ms)"}})
+    all.push_back(made_comparison("a", {{"mine", {kFirst}}}, conditions));
   ScorePool pool(Grouping::none, 1);
   for (const StoredComparison& one : all) pool.add(scored(one, {}));
   pool.add(scored(all.front(), Gate::iou()));
@@ -159,7 +159,7 @@ TEST_P(GroupedTables, HaveHitsThatAddUpToThePooledOnes) {
 INSTANTIATE_TEST_SUITE_P(By, GroupedTables,
                          testing::Values(Grouping::recording, Grouping::target, Grouping::code,
                                          Grouping::blur, Grouping::gap),
-                         [](const auto& info) { return std::string(to_string(info.param)); });
+                         [](const auto& one) { return std::string(to_string(one.param)); });
 
 TEST(Groupings, AreReadAsTheyAreWritten) {
   for (const Grouping grouping :

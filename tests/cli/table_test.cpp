@@ -87,7 +87,7 @@ TEST(LatexTables, AreOneTabularWithBooktabs) {
 
 TEST(ScoreTables, HaveARowForEachMethodInEveryFormat) {
   const std::string letters = "HHHHHMHHHHHHMMMMMMHHHHHSSSHHHHHH";
-  const RunRecord slow{.gaps = "none", .real_time = "latest", .latency = "constant(20ms)"};
+  const MadeConditions slow{.real_time = "latest", .latency = "constant(20ms)"};
   const JudgedTable judged =
       judged_tables(
           {made_comparison("a", {{"csrt(psr_threshold=0.05)", {letters}}, {"mute", {letters}, true}}, slow)})
@@ -107,8 +107,8 @@ TEST(ScoreTables, HaveARowForEachMethodInEveryFormat) {
 
 TEST(Headings, SayUnderWhatConditions) {
   const std::string letters(12, 'H');
-  const RunRecord record{.gaps = "paper", .seed = 7, .protocol = Protocol::reset, .gate = "iou"};
-  EXPECT_EQ(heading(judged_tables({made_comparison("a", {{"mine", {letters}}}, record)}).at(0).table),
+  const MadeConditions conditions{.gaps = "paper", .seed = 7, .protocol = Protocol::reset};
+  EXPECT_EQ(heading(judged_tables({made_comparison("a", {{"mine", {letters}}}, conditions)}).at(0).table),
             "a, gaps paper (seed 7), protocol reset, gate centre 0.25 D, hold 0.5 D");
   EXPECT_EQ(heading(judged_tables({made_comparison("a", {{"mine", {letters}}}),
                                    made_comparison("b", {{"mine", {letters}}})})
