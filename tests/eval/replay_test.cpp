@@ -150,6 +150,18 @@ TEST(AnAnswer, WithABlurOrCodeThatNoFileCouldHoldIsAFailure) {
   }
 }
 
+TEST(AnAnswer, ThatIsSaidTwiceInTheSameWordsIsSaidOnce) {
+  const Recording recording = made_flight("vvv");
+  Scripted method([](const Frame& frame) {
+    const Sighting seen = sighting_of(Box{100, 100, 40, 40}),
+                   other = sighting_of(Box{100, 100 + 1.0 * static_cast<double>(frame.index), 40, 40});
+    return Sightings{seen, seen, other};
+  });
+  const Replay done = replayed(method, recording, Protocol::once);
+  EXPECT_EQ(done.trajectory.frames[1].sightings.size(), 2u);
+  EXPECT_EQ(done.trajectory.frames[2].sightings.size(), 2u);
+}
+
 TEST(ARecordingThatCannotBeReadOn, KeepsWhatCameBefore) {
   const Recording recording = made_flight("vvvvvv");
   MadeFrames frames(recording, 4);
@@ -172,6 +184,32 @@ TEST(Trajectory, IsTheSameAfterWritingAndReading) {
     write_trajectory(twice, c.recording, back);
     ASSERT_EQ(once.str(), twice.str()) << "seed " << seed;
     ASSERT_EQ(back.frames.size(), c.trajectory.frames.size());
+  }
+}
+
+TEST(TrajectoryReader, RefusesARowThatIsThereTwice) {
+  const Recording recording = made_flight("vvvvv");
+  Scripted method([](const Frame& frame) {
+    return frame.index == 2 ? Sightings{} : Sightings{sighting_of(Box{100, 100, 40, 40})};
+  });
+  Trajectory trajectory = replayed(method, recording, Protocol::once, {3}).trajectory;
+  std::ostringstream out;
+  write_trajectory(out, recording, trajectory);
+  std::vector<std::string> lines;
+  std::istringstream whole(out.str());
+  for (std::string line; std::getline(whole, line);) lines.push_back(line + "\n");
+  for (std::size_t twice = 1; twice < lines.size(); ++twice) {
+    std::string text;
+    for (std::size_t i = 0; i < lines.size(); ++i) text += i == twice ? lines[i] + lines[i] : lines[i];
+    std::istringstream in(text);
+    Trajectory back = trajectory;
+    try {
+      read_trajectory(in, "trajectory.csv", recording, back);
+      ADD_FAILURE() << lines[twice] << "is read twice";
+    } catch (const Error& fault) {
+      EXPECT_TRUE(std::string(fault.what()).starts_with("trajectory.csv:" + std::to_string(twice + 2) + ": "))
+          << fault.what();
+    }
   }
 }
 
