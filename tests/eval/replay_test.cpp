@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <sstream>
@@ -50,6 +51,14 @@ Replay replayed(Method& method, const Recording& recording, Protocol protocol,
   ReplayOptions options;
   options.protocol = protocol;
   return replay(method, frames, recording, schedule, options);
+}
+
+/// As a replay keeps them: what is said twice in the same words is said once.
+Sightings each_once(const Sightings& said) {
+  Sightings once;
+  for (const Sighting& sighting : said)
+    if (std::find(once.begin(), once.end(), sighting) == once.end()) once.push_back(sighting);
+  return once;
 }
 
 std::string verdicts(const Recording& recording, const Trajectory& trajectory) {
@@ -175,6 +184,7 @@ TEST(ARecordingThatCannotBeReadOn, KeepsWhatCameBefore) {
 TEST(Trajectory, IsTheSameAfterWritingAndReading) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     Case c = random_case(seed);
+    for (FrameReport& report : c.trajectory.frames) report.sightings = each_once(report.sightings);
     // A file has four decimals: what is written once can be read and written again without a change.
     std::ostringstream once, twice;
     write_trajectory(once, c.recording, c.trajectory);
