@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
+#include <map>
+#include <set>
 #include <sstream>
 
 #include "cli/comparison.h"
@@ -34,9 +35,14 @@ struct Read {
   std::vector<std::string> unreadable;
 };
 
+/// A run that is found below several folders counts once.
 std::vector<FoundComparison> found_below(const std::vector<std::filesystem::path>& folders) {
+  std::map<std::filesystem::path, std::set<std::filesystem::path>> runs_of;  // by comparison
+  for (const auto& folder : folders)
+    for (const FoundComparison& found : find_results(folder))
+      runs_of[found.folder].insert(found.runs.begin(), found.runs.end());
   std::vector<FoundComparison> all;
-  for (const auto& folder : folders) std::ranges::move(find_results(folder), std::back_inserter(all));
+  for (const auto& [comparison, runs] : runs_of) all.push_back({comparison, {runs.begin(), runs.end()}});
   return all;
 }
 
@@ -56,7 +62,10 @@ std::vector<std::vector<FrameCost>> costs_of(const StoredComparison& stored) {
 
 /// One comparison at a time: what is kept of it is its sums.
 void read_one(const FoundComparison& found, const ScoreArguments& arguments, Read& read) {
-  const auto note = [&](const std::string& why) { read.unreadable.push_back(why); };
+  // All comparisons on a recording have its truth, and whatever is wrong with it, in common.
+  const auto note = [&](const std::string& why) {
+    if (std::ranges::find(read.unreadable, why) == read.unreadable.end()) read.unreadable.push_back(why);
+  };
   auto stored = read_comparison(found, note);
   if (!stored) return;
   try {
@@ -202,7 +211,7 @@ class Printer {
 void print_tables(const std::vector<JudgedTable>& tables, TableFormat format, const Read& read) {
   Printer printer(format);
   for (std::size_t i = 0; i < tables.size();) i = printer.print(tables, i);
-  if (format != TableFormat::text) return;
+  if (format != TableFormat::text || tables.empty()) return;
   for (const std::string& end : read.ends) fmt::print("  {}\n", end);
   fmt::print("{}", table_footnote());
   if (std::any_of(tables.begin(), tables.end(),

@@ -16,26 +16,34 @@ std::string_view trimmed(std::string_view cell) { return cell.substr(0, cell.fin
 std::string in_markdown(const std::string& cell) {
   std::string text;
   for (const char c : trimmed(cell)) {
-    if (c == '|' || c == '*' || c == '_' || c == '<') text += '\\';
+    if (std::string_view("|*_<`\\").find(c) != std::string_view::npos) text += '\\';
     text += c;
   }
   return text;
 }
 
+std::string in_latex(char c) {
+  switch (c) {
+    case '<':
+    case '>':
+    case '|':
+      return fmt::format("${}$", c);
+    case '\\':
+      return "\\textbackslash{}";
+    case '^':
+      return "\\textasciicircum{}";
+    case '~':
+      return "\\textasciitilde{}";
+    default:
+      break;
+  }
+  const bool special = std::string_view("&%$#_{}").find(c) != std::string_view::npos;
+  return special ? fmt::format("\\{}", c) : std::string(1, c);
+}
+
 std::string in_latex(const std::string& cell) {
   std::string text;
-  for (const char c : trimmed(cell)) {
-    if (c == '<' || c == '>') {
-      text += fmt::format("${}$", c);
-      continue;
-    }
-    if (c == '\\') {
-      text += "\\textbackslash{}";
-      continue;
-    }
-    if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) text += '\\';
-    text += c;
-  }
+  for (const char c : trimmed(cell)) text += in_latex(c);
   return text;
 }
 

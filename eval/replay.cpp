@@ -63,6 +63,14 @@ void check_sighting(const Sighting& sighting, const Recording& recording) {
   }
 }
 
+/// What is said twice in the same words is said once.
+Sightings each_once(const Sightings& said) {
+  Sightings once;
+  for (const Sighting& sighting : said)
+    if (std::find(once.begin(), once.end(), sighting) == once.end()) once.push_back(sighting);
+  return once;
+}
+
 /// To be called in a handler: what the method threw, which may be no exception at all.
 std::string sentence_of_what_was_thrown() {
   try {
@@ -190,7 +198,7 @@ class Run {
         return std::any_of(report.withheld.begin(), report.withheld.end(),
                            [&](std::size_t t) { return sighting.track == recording_.targets[t].id; });
       });
-      report.sightings = std::move(said);
+      report.sightings = each_once(said);
     } catch (...) {
       for (std::size_t t = 0; t < targets(); ++t) mark_failed(t, frame.index);
       result_.failures.push_back({frame.index, sentence_of_what_was_thrown()});

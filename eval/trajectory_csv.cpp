@@ -112,13 +112,11 @@ class TrajectoryReader {
       } else if (kind == "skipped") {
         report.delivery = Delivery::skipped;
       } else if (kind == "given") {
-        report.given.push_back(target(rows_.text(track_)));
-        std::sort(report.given.begin(), report.given.end());
+        add_target(report.given);
       } else if (kind == "withheld") {
-        report.withheld.push_back(target(rows_.text(track_)));
-        std::sort(report.withheld.begin(), report.withheld.end());
+        add_target(report.withheld);
       } else if (kind == "sighting") {
-        report.sightings.push_back(sighting());
+        add_sighting(report.sightings);
       } else if (kind != "nothing" && kind != "failed") {
         rows_.fail(fmt::format(
             "column report: \"{}\" is none of sighting, nothing, given, failed, dropped, skipped, withheld",
@@ -134,18 +132,38 @@ class TrajectoryReader {
     if (frame != last && frame != last + 1)
       rows_.fail(fmt::format("frame {} comes after frame {}; every recorded frame must be there, in order",
                              frame, last));
-    if (frame >= static_cast<std::int64_t>(recording_.frames()))
-      rows_.fail(fmt::format("frame {} does not exist in {} (it has {} frames)", frame, recording_.name,
-                             recording_.frames()));
+    if (frame < 0 || frame >= static_cast<std::int64_t>(recording_.frames()))
+      rows_.fail(fmt::format("frame {} does not exist in {} (it has {} frames, from 0)", frame,
+                             recording_.name, recording_.frames()));
     if (rows_.whole(captured_) != ns(recording_.captured[static_cast<std::size_t>(frame)]))
       rows_.fail(fmt::format("frame {} was captured at {} ns in {}; is this trajectory of another recording?",
                              frame, ns(recording_.captured[static_cast<std::size_t>(frame)]),
                              recording_.name));
     const auto kind = rows_.text(report_);
-    if (frame == last && kind != "sighting" && kind != "given" && kind != "withheld")
-      rows_.fail(fmt::format("frame {} is there twice", frame));
+    const bool with_others = kind == "sighting" || kind == "given" || kind == "withheld";
+    if (frame == last && !(with_others && last_with_others_)) there_twice();
+    last_with_others_ = with_others;
     if (frame > last) frames_.emplace_back();
     return frames_.back();
+  }
+
+  [[noreturn]] void there_twice() const {
+    rows_.fail(
+        fmt::format("this row of frame {} is there twice; remove one, or run again", rows_.text(frame_)));
+  }
+
+  void add_target(std::vector<std::size_t>& targets) const {
+    const std::size_t one = target(rows_.text(track_));
+    const auto at = std::lower_bound(targets.begin(), targets.end(), one);
+    if (at != targets.end() && *at == one) there_twice();
+    targets.insert(at, one);
+  }
+
+  /// A replay keeps nothing that was said twice in the same words.
+  void add_sighting(Sightings& sightings) const {
+    Sighting seen = sighting();
+    if (std::find(sightings.begin(), sightings.end(), seen) != sightings.end()) there_twice();
+    sightings.push_back(std::move(seen));
   }
 
   std::size_t target(std::string_view id) const {
@@ -179,6 +197,7 @@ class TrajectoryReader {
   const Recording& recording_;
   std::vector<FrameReport>& frames_;
   OutlineColumns outlines_;
+  bool last_with_others_ = true;  // whether the last row's frame may have more rows
   CsvReader::Column frame_ = rows_.column("frame");
   CsvReader::Column captured_ = rows_.column("captured_ns");
   CsvReader::Column report_ = rows_.column("report");

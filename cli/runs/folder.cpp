@@ -108,9 +108,11 @@ StoredRun read_run(const fs::path& folder, const Recording& recording) {
   run.trajectory.judged_from = run.record.judged_from;
   run.trajectory.failed_from = run.record.failed_from;
   const fs::path path = folder / "trajectory.csv";
-  std::istringstream text(read_file(path));
+  std::string rows = read_file(path);
+  const bool whole_lines = rows.ends_with('\n');
+  std::istringstream text(std::move(rows));
   read_trajectory(text, path.string(), recording, run.trajectory);
-  if (run.trajectory.frames.size() < recording.frames() && !run.record.cut_short)
+  if (!whole_lines || (run.trajectory.frames.size() < recording.frames() && !run.record.cut_short))
     throw Error(fmt::format("{} ends at frame {} of {}; it was cut off: remove its folder and run again",
                             path.string(), run.trajectory.frames.size(), recording.frames()));
   if (!run.record.real_time.empty()) {
@@ -140,6 +142,27 @@ bool holds_run(const fs::path& folder) {
 
 fs::path truth_place(const fs::path& out, const Recording& recording) {
   return out / slug(recording.name) / "recording";
+}
+
+constexpr const char* kTruthFiles[] = {"recording.toml", "timestamps.csv", "labels.csv"};
+
+/// One line for each file of the truth: what it was when runs were made.
+void store_checksums(const fs::path& truth) {
+  std::string text;
+  for (const char* file : kTruthFiles) text += fmt::format("{} {}\n", file, file_fingerprint(truth / file));
+  write_file(truth / "checksums", text);
+}
+
+/// Throws Error when a file of the truth is not what it was: scores would be of something that no method saw.
+void check_checksums(const fs::path& truth) {
+  if (!fs::exists(truth / "checksums")) return;
+  const std::string stored = read_file(truth / "checksums");
+  for (const char* file : kTruthFiles)
+    if (stored.find(fmt::format("{} {}\n", file, file_fingerprint(truth / file))) == std::string::npos)
+      throw Error(
+          fmt::format("{} was changed after the runs beside it were made; change it where the recording is "
+                      "and run again",
+                      (truth / file).string()));
 }
 
 std::vector<fs::path> runs_in(const fs::path& comparison) {
@@ -231,6 +254,7 @@ void store_truth(const fs::path& out, const Recording& recording, const std::str
   const fs::path draft = temporary_name(place);
   make_folder(draft);
   write_truth(draft, recording);
+  store_checksums(draft);
   write_file(draft / "fingerprint", fingerprint + "\n");
   put_in_place(draft, place);
 }
@@ -312,6 +336,7 @@ std::optional<StoredComparison> read_comparison(const FoundComparison& found,
       throw Error(
           fmt::format("{} is missing: runs cannot be scored without the truth beside them", truth.string()));
     comparison.recording = as_played(read_truth(truth), found.runs);
+    check_checksums(truth);
   } catch (const Error& fault) {
     on_unreadable(fault.what());
     return {};

@@ -16,7 +16,8 @@ namespace relock {
 // Where results are:
 //   OUT/relock-results.json                       says that the folder is relock's
 //   OUT/.lock                                     held by the program that writes here
-//   OUT/RECORDING/recording/                      truth: recording.toml, timestamps.csv, labels.csv
+//   OUT/RECORDING/recording/                      truth: recording.toml, timestamps.csv, labels.csv, and how to tell
+//                                                 whether they or the recording changed: fingerprint, checksums
 //   OUT/RECORDING/GAPS-PROTOCOL/METHOD/           one run: run.json, trajectory.csv, timing.csv,
 //                                                 answers.csv (real time);
 //                                                 `relock score` adds scores.json, events.csv, verdicts.csv

@@ -15,9 +15,10 @@ class Rows {
   void of(const JudgedTable& judged) {
     for (std::size_t i = 0; i < judged.methods.size(); ++i) {
       const TableConditions& c = judged.table.conditions;
-      begin_ = fmt::format("{},{},{},{},{},{}", csv_cell(c.protocol), csv_cell(c.gaps), csv_cell(c.gate),
-                           to_string(judged.table.grouping), csv_cell(judged.table.group),
-                           csv_cell(judged.table.methods[i].method));
+      begin_ =
+          fmt::format("{},{},{},{},{},{},{},{}", csv_cell(c.protocol), csv_cell(c.gaps), csv_cell(c.gate),
+                      csv_cell(c.real_time), csv_cell(c.latency), to_string(judged.table.grouping),
+                      csv_cell(judged.table.group), csv_cell(judged.table.methods[i].method));
       if (judged.table.grouping == Grouping::blur || judged.table.grouping == Grouping::gap)
         share(judged.methods[i], 0);
       else
@@ -61,7 +62,7 @@ class Rows {
   }
 
   std::string begin_;
-  std::string text_ = "protocol,gaps,gate,by,group,method,score,value,low,high,standing\n";
+  std::string text_ = "protocol,gaps,gate,real_time,latency,by,group,method,score,value,low,high,standing\n";
 };
 
 }  // namespace

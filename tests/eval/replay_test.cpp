@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <sstream>
@@ -50,6 +51,14 @@ Replay replayed(Method& method, const Recording& recording, Protocol protocol,
   ReplayOptions options;
   options.protocol = protocol;
   return replay(method, frames, recording, schedule, options);
+}
+
+/// As a replay keeps them: what is said twice in the same words is said once.
+Sightings each_once(const Sightings& said) {
+  Sightings once;
+  for (const Sighting& sighting : said)
+    if (std::find(once.begin(), once.end(), sighting) == once.end()) once.push_back(sighting);
+  return once;
 }
 
 std::string verdicts(const Recording& recording, const Trajectory& trajectory) {
@@ -150,6 +159,18 @@ TEST(AnAnswer, WithABlurOrCodeThatNoFileCouldHoldIsAFailure) {
   }
 }
 
+TEST(AnAnswer, ThatIsSaidTwiceInTheSameWordsIsSaidOnce) {
+  const Recording recording = made_flight("vvv");
+  Scripted method([](const Frame& frame) {
+    const Sighting seen = sighting_of(Box{100, 100, 40, 40}),
+                   other = sighting_of(Box{100, 100 + 1.0 * static_cast<double>(frame.index), 40, 40});
+    return Sightings{seen, seen, other};
+  });
+  const Replay done = replayed(method, recording, Protocol::once);
+  EXPECT_EQ(done.trajectory.frames[1].sightings.size(), 2u);
+  EXPECT_EQ(done.trajectory.frames[2].sightings.size(), 2u);
+}
+
 TEST(ARecordingThatCannotBeReadOn, KeepsWhatCameBefore) {
   const Recording recording = made_flight("vvvvvv");
   MadeFrames frames(recording, 4);
@@ -163,6 +184,7 @@ TEST(ARecordingThatCannotBeReadOn, KeepsWhatCameBefore) {
 TEST(Trajectory, IsTheSameAfterWritingAndReading) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     Case c = random_case(seed);
+    for (FrameReport& report : c.trajectory.frames) report.sightings = each_once(report.sightings);
     // A file has four decimals: what is written once can be read and written again without a change.
     std::ostringstream once, twice;
     write_trajectory(once, c.recording, c.trajectory);
@@ -172,6 +194,32 @@ TEST(Trajectory, IsTheSameAfterWritingAndReading) {
     write_trajectory(twice, c.recording, back);
     ASSERT_EQ(once.str(), twice.str()) << "seed " << seed;
     ASSERT_EQ(back.frames.size(), c.trajectory.frames.size());
+  }
+}
+
+TEST(TrajectoryReader, RefusesARowThatIsThereTwice) {
+  const Recording recording = made_flight("vvvvv");
+  Scripted method([](const Frame& frame) {
+    return frame.index == 2 ? Sightings{} : Sightings{sighting_of(Box{100, 100, 40, 40})};
+  });
+  Trajectory trajectory = replayed(method, recording, Protocol::once, {3}).trajectory;
+  std::ostringstream out;
+  write_trajectory(out, recording, trajectory);
+  std::vector<std::string> lines;
+  std::istringstream whole(out.str());
+  for (std::string line; std::getline(whole, line);) lines.push_back(line + "\n");
+  for (std::size_t twice = 1; twice < lines.size(); ++twice) {
+    std::string text;
+    for (std::size_t i = 0; i < lines.size(); ++i) text += i == twice ? lines[i] + lines[i] : lines[i];
+    std::istringstream in(text);
+    Trajectory back = trajectory;
+    try {
+      read_trajectory(in, "trajectory.csv", recording, back);
+      ADD_FAILURE() << lines[twice] << "is read twice";
+    } catch (const Error& fault) {
+      EXPECT_TRUE(std::string(fault.what()).starts_with("trajectory.csv:" + std::to_string(twice + 2) + ": "))
+          << fault.what();
+    }
   }
 }
 
