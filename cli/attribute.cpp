@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "cli/json_text.h"
 #include "cli/pooled_runs.h"
 #include "cli/verbs.h"
 #include "eval/attribution.h"
 
 namespace relock {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Attribution attribution_of(const PooledRuns& group, const PooledMethod& method) {
   std::vector<TransitionRun> runs;
@@ -59,8 +57,8 @@ Json group_json(const PooledRuns& group) {
     Json effects = Json::array();
     for (const Effect& e : found.effects)
       effects.push_back({{"covariate", name(e.covariate)},
-                         {"odds_ratio", e.odds_ratio},
-                         {"interval", e.interval ? Json{e.interval->low, e.interval->high} : Json()},
+                         {"odds_ratio", number(e.odds_ratio)},
+                         {"interval", interval(e.interval)},
                          {"claim", e.because ? "because" : "goes with"}});
     methods.push_back({{"method", method.method},
                        {"sequences", found.sequences},
@@ -90,7 +88,7 @@ int attribute(const AttributeArguments& arguments) {
     first = false;
     print_group(group);
   }
-  if (arguments.json) fmt::print("{}\n", json.dump(2));
+  if (arguments.json) fmt::print("{}", json_text(json));
   return 0;
 }
 

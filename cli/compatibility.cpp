@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "cli/benchmark_files.h"
+#include "cli/json_text.h"
 #include "cli/runs/folder.h"
 #include "cli/table.h"
 #include "cli/verbs.h"
@@ -20,8 +20,6 @@
 
 namespace relock {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// A method's answers on all recordings, under one condition.
 struct Answers {
@@ -157,8 +155,6 @@ void print(const Group& group, const ToolkitOptions& options) {
   if (fits(ResultFormat::tum, group.protocol)) print_ape(group, options);
 }
 
-Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
 Json scores_of(const Group& group, const std::string& method, std::span<const AnsweredSequence> sequences,
                const ToolkitOptions& options) {
   Json json{{"condition", group.condition},
@@ -246,7 +242,7 @@ int compatibility(const CompatibilityArguments& arguments) {
   const ToolkitOptions options = options_of(arguments);
   const std::vector<Group> groups = grouped(read_results(arguments.folder));
   if (arguments.json) {
-    fmt::print("{}\n", json_of(groups, options).dump(2));
+    fmt::print("{}", json_text(json_of(groups, options)));
     return 0;
   }
   for (std::size_t i = 0; i < groups.size(); ++i) {

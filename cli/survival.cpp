@@ -2,16 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
+#include "cli/json_text.h"
 #include "cli/pooled_runs.h"
 #include "cli/verbs.h"
 #include "eval/tracking_survival.h"
 
 namespace relock {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 TrackingSurvivals survival_of(const PooledMethod& method) {
   std::vector<TrackingLifetime> all;
@@ -23,10 +20,6 @@ TrackingSurvivals survival_of(const PooledMethod& method) {
   }
   return tracking_survival(all);
 }
-
-Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-/// An end that is infinite is null.
-Json interval(const std::optional<Interval>& value) { return value ? Json{value->low, value->high} : Json(); }
 
 Json to_json(const TrackingSurvival& s, double claim) {
   return {{"median", number(s.median)},
@@ -86,7 +79,7 @@ int survival(const SurvivalArguments& arguments) {
     first = false;
     print_group(group);
   }
-  if (arguments.json) fmt::print("{}\n", json.dump(2));
+  if (arguments.json) fmt::print("{}", json_text(json));
   return 0;
 }
 

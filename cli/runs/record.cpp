@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/files.h"
+#include "cli/json_text.h"
 #include "core/error.h"
 
 namespace relock {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json to_json(const std::vector<std::optional<FrameIndex>>& frames) {
   Json all = Json::array();
@@ -127,9 +124,7 @@ std::string spoken_protocol(const RunRecord& record) {
   return text;
 }
 
-std::string to_json_text(const RunRecord& record) {
-  return to_json(record).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
+std::string to_json_text(const RunRecord& record) { return json_text(to_json(record)); }
 
 RunRecord parse_record(const std::string& text, const std::string& name) {
   try {
