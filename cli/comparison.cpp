@@ -72,7 +72,7 @@ std::string heading(const StoredComparison& comparison, const Gate& gate) {
   const std::string gaps =
       record.gaps == "none" ? "as recorded" : fmt::format("gaps {} (seed {})", record.gaps, record.seed);
   return fmt::format("{}, {}, protocol {}, gate {}", comparison.recording.name, gaps,
-                     spoken_protocol(record), to_string(gate));
+                     spoken(record.showing()), to_string(gate));
 }
 
 }  // namespace relock

@@ -8,6 +8,7 @@
 
 #include "cli/benchmark_files.h"
 #include "cli/json_text.h"
+#include "cli/readable.h"
 #include "cli/runs/folder.h"
 #include "cli/table.h"
 #include "cli/verbs.h"
@@ -51,10 +52,12 @@ bool multistart(Protocol protocol) { return to_string(protocol) == "multistart";
 
 /// "recorded-once"; all anchors of protocol multistart are one condition.
 std::string condition_of(const StoredComparison& comparison) {
-  const std::string name = comparison.folder.filename().string();
-  const std::string_view protocol = to_string(comparison.runs.front().record.protocol);
-  if (!multistart(comparison.runs.front().record.protocol)) return name;
-  return name.substr(0, name.rfind(protocol) + protocol.size());
+  std::string name = comparison.folder.filename().string();
+  const auto& anchor = comparison.runs.front().record.anchor;
+  if (!anchor) return name;
+  const std::string text = fmt::format("-{:04}-{}", anchor->frame, to_string(anchor->direction));
+  if (const auto at = name.rfind(text); at != std::string::npos) name.erase(at, text.size());
+  return name;
 }
 
 std::vector<Group> grouped(const std::vector<StoredComparison>& all) {
@@ -240,16 +243,14 @@ ToolkitOptions options_of(const CompatibilityArguments& arguments) {
 
 int compatibility(const CompatibilityArguments& arguments) {
   const ToolkitOptions options = options_of(arguments);
-  const std::vector<Group> groups = grouped(read_results(arguments.folder));
-  if (arguments.json) {
-    fmt::print("{}", json_text(json_of(groups, options)));
-    return 0;
-  }
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    fmt::print("{}", i > 0 ? "\n" : "");
-    print(groups[i], options);
-  }
-  return 0;
+  return with_readable(find_results(arguments.folder), [&](const std::vector<StoredComparison>& results) {
+    const std::vector<Group> groups = grouped(results);
+    if (arguments.json) fmt::print("{}", json_text(json_of(groups, options)));
+    for (std::size_t i = 0; !arguments.json && i < groups.size(); ++i) {
+      fmt::print("{}", i > 0 ? "\n" : "");
+      print(groups[i], options);
+    }
+  });
 }
 
 }  // namespace relock

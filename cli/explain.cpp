@@ -8,6 +8,7 @@
 #include "cli/chosen_target.h"
 #include "cli/comparison.h"
 #include "cli/json_text.h"
+#include "cli/readable.h"
 #include "cli/table.h"
 #include "cli/verbs.h"
 #include "eval/loss_text.h"
@@ -214,10 +215,7 @@ void for_each_case(const StoredComparison& comparison, const Gate& gate, const s
   }
 }
 
-}  // namespace
-
-int explain(const ExplainArguments& arguments) {
-  const auto all = read_results(arguments.folder);
+void explain_all(const std::vector<StoredComparison>& all, const ExplainArguments& arguments) {
   check_target(all, arguments.target);
   Json objects = Json::array();
   bool first = true;
@@ -234,7 +232,13 @@ int explain(const ExplainArguments& arguments) {
     });
   }
   if (arguments.json) fmt::print("{}", json_text(objects));
-  return 0;
+}
+
+}  // namespace
+
+int explain(const ExplainArguments& arguments) {
+  return with_readable(find_results(arguments.folder),
+                       [&](const std::vector<StoredComparison>& all) { explain_all(all, arguments); });
 }
 
 }  // namespace relock

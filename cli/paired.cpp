@@ -35,7 +35,7 @@ std::optional<std::size_t> arm_without(const std::vector<StoredComparison>& all,
                                        const StoredComparison& with) {
   const auto key = [](const StoredComparison& c) {
     const RunRecord& r = conditions_of(c);
-    return std::tie(r.recording, r.fingerprint, r.protocol, r.gate, r.seed);
+    return std::tuple(r.recording, r.fingerprint, r.showing(), r.gate, r.seed);
   };
   const auto found = std::find_if(all.begin(), all.end(), [&](const StoredComparison& other) {
     return as_recorded(other) && key(other) == key(with);
@@ -79,7 +79,7 @@ void add_new(std::vector<Value>& all, const Value& value) {
 
 GapExperiment experiment_on(const std::vector<Arms>& all, const std::optional<std::string>& gate) {
   const RunRecord& first = conditions_of(*all.front().with);
-  GapExperiment experiment{first.gaps, first.protocol, gate_of(*all.front().with, gate), {}, {}, {}};
+  GapExperiment experiment{first.gaps, first.showing(), gate_of(*all.front().with, gate), {}, {}, {}};
   std::vector<const RunRecord*> methods;
   for (const Arms& arms : all) {
     add_new(experiment.recordings, arms.with->recording.name);
@@ -164,10 +164,9 @@ std::string listed(const std::string& what, std::size_t count, const std::string
 }
 
 std::string heading(const GapExperiment& e) {
-  return fmt::format("Cost of the gaps {}: {}, {}, protocol {}, gate {}\n", e.gaps,
-                     fmt::join(e.recordings, ", "),
+  return fmt::format("Cost of the gaps {}: {}, {}, {}, gate {}\n", e.gaps, fmt::join(e.recordings, ", "),
                      listed("seed", e.seeds.size(), fmt::format("{}", fmt::join(e.seeds, ", "))),
-                     to_string(e.protocol), to_string(e.gate));
+                     spoken(e.showing), to_string(e.gate));
 }
 
 /// How many frames the scores stand on; for each method where resets cut the pairs differently.
@@ -204,7 +203,10 @@ Json json_of(const GapExperiment& e, const GapExperiment::MethodCost& m) {
     scores[name] = json_of(m.cost.scores[i]);
   }
   return {{"gaps", e.gaps},
-          {"protocol", to_string(e.protocol)},
+          {"protocol", to_string(e.showing.protocol)},
+          {"start", e.showing.anchor ? Json(to_string(*e.showing.anchor)) : Json()},
+          {"real_time", e.showing.real_time},
+          {"latency", e.showing.latency},
           {"gate", to_string(e.gate)},
           {"recordings", e.recordings},
           {"seeds", e.seeds},
@@ -227,7 +229,7 @@ Json json_of(const GapExperiment& e, const GapExperiment::MethodCost& m) {
 
 std::vector<GapExperiment> gap_experiments(std::vector<StoredComparison> comparisons,
                                            const std::optional<std::string>& gate) {
-  std::map<std::tuple<std::string, Protocol, std::string>, std::vector<Arms>> by_pattern;
+  std::map<std::tuple<std::string, Showing, std::string>, std::vector<Arms>> by_pattern;
   for (StoredComparison& with : comparisons) {
     if (as_recorded(with)) continue;
     const auto without = arm_without(comparisons, with);
@@ -235,7 +237,7 @@ std::vector<GapExperiment> gap_experiments(std::vector<StoredComparison> compari
     const Arms arms{&comparisons[*without], &with};
     make_equally_long(arms);
     const RunRecord& record = conditions_of(with);
-    by_pattern[{record.gaps, record.protocol, record.gate}].push_back(arms);
+    by_pattern[{record.gaps, record.showing(), record.gate}].push_back(arms);
   }
   if (by_pattern.empty())
     throw Error(
@@ -254,9 +256,8 @@ std::vector<std::string> without_a_pair(const std::vector<StoredComparison>& com
   for (const StoredComparison& with : comparisons) {
     const RunRecord& record = conditions_of(with);
     if (as_recorded(with) || arm_without(comparisons, with)) continue;
-    sentences.push_back(
-        fmt::format("{} with gaps {}, seed {}, protocol {}: there is no run of it as recorded",
-                    record.recording, record.gaps, record.seed, to_string(record.protocol)));
+    sentences.push_back(fmt::format("{} with gaps {}, seed {}, {}: there is no run of it as recorded",
+                                    record.recording, record.gaps, record.seed, spoken(record.showing())));
   }
   return sentences;
 }

@@ -116,11 +116,11 @@ bool RunRecord::same_conditions(const RunRecord& other) const {
   return conditions(*this) == conditions(other);
 }
 
-std::string spoken_protocol(const RunRecord& record) {
-  std::string text = fmt::format("protocol {}", to_string(record.protocol));
-  if (record.anchor) text += fmt::format(" from {}", to_string(*record.anchor));
-  if (!record.real_time.empty())
-    text += fmt::format(", real time {}, latency {}", record.real_time, record.latency);
+std::string spoken(const Showing& showing) {
+  std::string text = fmt::format("protocol {}", to_string(showing.protocol));
+  if (showing.anchor) text += fmt::format(" from {}", to_string(*showing.anchor));
+  if (!showing.real_time.empty())
+    text += fmt::format(", real time {}, latency {}", showing.real_time, showing.latency);
   return text;
 }
 
