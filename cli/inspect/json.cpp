@@ -69,7 +69,7 @@ Json to_json(const InspectReport& report, std::size_t t) {
           {"longest_unlabelled_s", in.longest_unlabelled ? Json(seconds(*in.longest_unlabelled)) : Json()},
           {"departures", in.departures},
           {"returns", in.returns},
-          {"label_sigma_px", number(in.label_sigma_px)},
+          {"label_sigma_px", maybe(in.label_sigma_px)},
           {"size_px", maybe(in.size_px)},
           {"step_d", maybe(in.step_d)},
           {"true_blur_px", maybe(in.true_blur_px)},
