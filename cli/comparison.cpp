@@ -71,8 +71,8 @@ std::string heading(const StoredComparison& comparison, const Gate& gate) {
   const RunRecord& record = comparison.runs.front().record;
   const std::string gaps =
       record.gaps == "none" ? "as recorded" : fmt::format("gaps {} (seed {})", record.gaps, record.seed);
-  return fmt::format("{}, {}, protocol {}, gate {}", comparison.recording.name, gaps,
-                     spoken(record.showing()), to_string(gate));
+  return fmt::format("{}, {}, {}, gate {}", comparison.recording.name, gaps, spoken(record.showing()),
+                     to_string(gate));
 }
 
 }  // namespace relock
