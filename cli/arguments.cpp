@@ -73,10 +73,10 @@ void add_score(CLI::App& app, ScoreArguments& a) {
   format.require_option(0, 1);
 }
 
-void add_cost(CLI::App& app, CostArguments& a) {
-  CLI::App& verb =
-      *app.add_subcommand("cost", "Tell what the gaps cost each method, from runs made with --paired");
-  verb.add_option("results", a.folder, "a folder of results")->required();
+/// The verbs that tell one thing of all results below a folder.
+void add_results_verb(CLI::App& app, ResultsArguments& a, const std::string& name, const std::string& what) {
+  CLI::App& verb = *app.add_subcommand(name, what);
+  verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
   verb.add_flag("--json", a.json, "print it as JSON");
   add_gate(verb, a.gate, "when an answer is a Hit");
 }
@@ -97,21 +97,6 @@ void add_timeline(CLI::App& app, TimelineArguments& a) {
   verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
   verb.add_option("--target", a.target, "only this target");
   verb.add_flag("--ascii", a.ascii, "letters only, without colour");
-  add_gate(verb, a.gate, "when an answer is a Hit");
-}
-
-void add_survival(CLI::App& app, SurvivalArguments& a) {
-  CLI::App& verb =
-      *app.add_subcommand("survival", "Tell how long methods hold a target that they were given");
-  verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
-  verb.add_flag("--json", a.json, "print it as JSON");
-  add_gate(verb, a.gate, "when an answer is a Hit");
-}
-
-void add_attribute(CLI::App& app, AttributeArguments& a) {
-  CLI::App& verb = *app.add_subcommand("attribute", "Tell what losses go with: gaps, blur, displacement");
-  verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
-  verb.add_flag("--json", a.json, "print it as JSON");
   add_gate(verb, a.gate, "when an answer is a Hit");
 }
 
@@ -275,11 +260,14 @@ void add_compatibility(CLI::App& app, CompatibilityArguments& a) {
 void add_verbs(CLI::App& app, Arguments& arguments) {
   add_run(app, arguments.run);
   add_score(app, arguments.score);
-  add_cost(app, arguments.cost);
+  add_results_verb(app, arguments.cost, "cost",
+                   "Tell what the gaps cost each method, from runs made with --paired");
   add_explain(app, arguments.explain);
   add_timeline(app, arguments.timeline);
-  add_survival(app, arguments.survival);
-  add_attribute(app, arguments.attribute);
+  add_results_verb(app, arguments.survival, "survival",
+                   "Tell how long methods hold a target that they were given");
+  add_results_verb(app, arguments.attribute, "attribute",
+                   "Tell what losses go with: gaps, blur, displacement");
   add_detect(app, arguments.detect);
   add_list(app, arguments.list);
   add_inspect(app, arguments.inspect);

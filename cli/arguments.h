@@ -15,11 +15,9 @@ namespace relock {
 struct Arguments {
   RunArguments run;
   ScoreArguments score;
-  CostArguments cost;
+  ResultsArguments cost, survival, attribute;
   ExplainArguments explain;
   TimelineArguments timeline;
-  SurvivalArguments survival;
-  AttributeArguments attribute;
   DetectArguments detect;
   ListArguments list;
   InspectArguments inspect;

@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "cli/json_text.h"
 #include "cli/pooled_runs.h"
 #include "cli/verbs.h"
 #include "eval/attribution.h"
 
 namespace relock {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Attribution attribution_of(const PooledRuns& group, const PooledMethod& method) {
   std::vector<TransitionRun> runs;
@@ -29,7 +27,6 @@ Attribution attribution_of(const PooledRuns& group, const PooledMethod& method) 
 }
 
 void print_group(const PooledRuns& group) {
-  fmt::print("{}\n", heading(group));
   for (const PooledMethod& method : group.methods) {
     if (method.yardstick) continue;
     const Attribution found = attribution_of(group, method);
@@ -52,46 +49,24 @@ std::string_view name(Effect::Covariate covariate) {
   return "";
 }
 
-Json group_json(const PooledRuns& group) {
-  Json methods = Json::array();
-  for (const PooledMethod& method : group.methods) {
-    const Attribution found = attribution_of(group, method);
-    Json effects = Json::array();
-    for (const Effect& e : found.effects)
-      effects.push_back({{"covariate", name(e.covariate)},
-                         {"odds_ratio", e.odds_ratio},
-                         {"interval", e.interval ? Json{e.interval->low, e.interval->high} : Json()},
-                         {"claim", e.because ? "because" : "goes with"}});
-    methods.push_back({{"method", method.method},
-                       {"sequences", found.sequences},
-                       {"transitions", found.transitions},
-                       {"losses", found.losses},
-                       {"too_few", found.too_few != TooFew::none},
-                       {"effects", effects}});
-  }
-  return {{"protocol", to_string(group.protocol)},
-          {"gaps", group.gaps},
-          {"gate", to_string(group.gate)},
-          {"methods", methods}};
+Json method_json(const PooledRuns& group, const PooledMethod& method) {
+  const Attribution found = attribution_of(group, method);
+  Json effects = Json::array();
+  for (const Effect& e : found.effects)
+    effects.push_back({{"covariate", name(e.covariate)},
+                       {"odds_ratio", number(e.odds_ratio)},
+                       {"interval", interval(e.interval)},
+                       {"claim", e.because ? "because" : "goes with"}});
+  return {{"method", method.method},
+          {"sequences", found.sequences},
+          {"transitions", found.transitions},
+          {"losses", found.losses},
+          {"too_few", found.too_few != TooFew::none},
+          {"effects", effects}};
 }
 
 }  // namespace
 
-int attribute(const AttributeArguments& arguments) {
-  const auto all = read_results(arguments.folder);
-  Json json = Json::array();
-  bool first = true;
-  for (const PooledRuns& group : pooled(all, arguments.gate)) {
-    if (arguments.json) {
-      json.push_back(group_json(group));
-      continue;
-    }
-    if (!first) fmt::print("\n");
-    first = false;
-    print_group(group);
-  }
-  if (arguments.json) fmt::print("{}\n", json.dump(2));
-  return 0;
-}
+int attribute(const ResultsArguments& arguments) { return tell_pooled(arguments, print_group, method_json); }
 
 }  // namespace relock

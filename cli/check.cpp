@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <opencv2/core/utility.hpp>
 
 #include "cli/catalogue.h"
 #include "cli/conformance/conformance.h"
+#include "cli/json_text.h"
 #include "cli/verbs.h"
 #include "core/error.h"
 
@@ -56,14 +56,14 @@ void print_counts(const Conformance& all) {
 }
 
 void print_json(const std::vector<Conformance>& all) {
-  auto json = nlohmann::ordered_json::array();
+  Json json = Json::array();
   for (const Conformance& one : all) {
-    auto checks = nlohmann::ordered_json::array();
+    Json checks = Json::array();
     for (const CheckResult& check : one.checks)
       checks.push_back({{"check", check.check}, {"result", to_string(check.kind)}, {"reason", check.reason}});
     json.push_back({{"method", one.method}, {"kind", one.kind}, {"checks", checks}});
   }
-  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  fmt::print("{}", json_text(json));
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ std::string heading(const StoredComparison& comparison, const Gate& gate) {
   const RunRecord& record = comparison.runs.front().record;
   const std::string gaps =
       record.gaps == "none" ? "as recorded" : fmt::format("gaps {} (seed {})", record.gaps, record.seed);
-  return fmt::format("{}, {}, {}, gate {}", comparison.recording.name, gaps, spoken_protocol(record),
+  return fmt::format("{}, {}, {}, gate {}", comparison.recording.name, gaps, spoken(record.showing()),
                      to_string(gate));
 }
 

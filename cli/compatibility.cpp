@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "cli/benchmark_files.h"
+#include "cli/json_text.h"
+#include "cli/readable.h"
 #include "cli/runs/folder.h"
 #include "cli/table.h"
 #include "cli/verbs.h"
@@ -20,8 +21,6 @@
 
 namespace relock {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// A method's answers on all recordings, under one condition.
 struct Answers {
@@ -53,10 +52,12 @@ bool multistart(Protocol protocol) { return to_string(protocol) == "multistart";
 
 /// "recorded-once"; all anchors of protocol multistart are one condition.
 std::string condition_of(const StoredComparison& comparison) {
-  const std::string name = comparison.folder.filename().string();
-  const std::string_view protocol = to_string(comparison.runs.front().record.protocol);
-  if (!multistart(comparison.runs.front().record.protocol)) return name;
-  return name.substr(0, name.rfind(protocol) + protocol.size());
+  std::string name = comparison.folder.filename().string();
+  const auto& anchor = comparison.runs.front().record.anchor;
+  if (!anchor) return name;
+  const std::string text = fmt::format("-{:04}-{}", anchor->frame, to_string(anchor->direction));
+  if (const auto at = name.rfind(text); at != std::string::npos) name.erase(at, text.size());
+  return name;
 }
 
 std::vector<Group> grouped(const std::vector<StoredComparison>& all) {
@@ -157,8 +158,6 @@ void print(const Group& group, const ToolkitOptions& options) {
   if (fits(ResultFormat::tum, group.protocol)) print_ape(group, options);
 }
 
-Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
 Json scores_of(const Group& group, const std::string& method, std::span<const AnsweredSequence> sequences,
                const ToolkitOptions& options) {
   Json json{{"condition", group.condition},
@@ -244,16 +243,14 @@ ToolkitOptions options_of(const CompatibilityArguments& arguments) {
 
 int compatibility(const CompatibilityArguments& arguments) {
   const ToolkitOptions options = options_of(arguments);
-  const std::vector<Group> groups = grouped(read_results(arguments.folder));
-  if (arguments.json) {
-    fmt::print("{}\n", json_of(groups, options).dump(2));
-    return 0;
-  }
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    fmt::print("{}", i > 0 ? "\n" : "");
-    print(groups[i], options);
-  }
-  return 0;
+  return with_readable(find_results(arguments.folder), [&](const std::vector<StoredComparison>& results) {
+    const std::vector<Group> groups = grouped(results);
+    if (arguments.json) fmt::print("{}", json_text(json_of(groups, options)));
+    for (std::size_t i = 0; !arguments.json && i < groups.size(); ++i) {
+      fmt::print("{}", i > 0 ? "\n" : "");
+      print(groups[i], options);
+    }
+  });
 }
 
 }  // namespace relock

@@ -3,18 +3,19 @@
 #include <fmt/format.h>
 
 #include "cli/paired.h"
+#include "cli/readable.h"
 #include "cli/verbs.h"
 
 namespace relock {
 
-int cost(const CostArguments& arguments) {
-  auto comparisons = read_results(arguments.folder);
-  if (arguments.json) {
-    fmt::print("{}", cost_json(gap_experiments(std::move(comparisons), arguments.gate)));
-  } else {
-    print_cost_of_gaps(std::move(comparisons), arguments.gate);
-  }
-  return 0;
+int cost(const ResultsArguments& arguments) {
+  return with_readable(find_results(arguments.folder), [&](std::vector<StoredComparison> results) {
+    if (arguments.json) {
+      fmt::print("{}", cost_json(gap_experiments(std::move(results), arguments.gate)));
+    } else {
+      print_cost_of_gaps(std::move(results), arguments.gate);
+    }
+  });
 }
 
 }  // namespace relock

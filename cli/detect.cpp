@@ -3,20 +3,18 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "cli/catalogue.h"
 #include "cli/files.h"
+#include "cli/json_text.h"
 #include "cli/verbs.h"
 #include "core/error.h"
 #include "core/opencv.h"
 
 namespace relock {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json to_json(Vec2 v) { return {v.x, v.y}; }
 

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <nlohmann/json.hpp>
 
 #include "cli/chosen_target.h"
 #include "cli/comparison.h"
+#include "cli/json_text.h"
+#include "cli/readable.h"
 #include "cli/table.h"
 #include "cli/verbs.h"
 #include "eval/loss_text.h"
@@ -16,8 +17,6 @@
 
 namespace relock {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// What one run said of one target.
 struct Case {
@@ -148,8 +147,6 @@ void print(const Case& c) {
 
 // JSON
 
-Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
 Json json_of(const Case& c, const Loss& loss) {
   const Circumstances with = c.of(loss);
   Json said;
@@ -166,11 +163,11 @@ Json json_of(const Case& c, const Loss& loss) {
           {"slots_recorded", with.slots_recorded},
           {"slots_injected", with.slots_injected},
           {"slots_skipped", with.slots_skipped},
-          {"blur_px", json_of(with.blur_px)},
-          {"displacement_d", json_of(with.displacement_d)},
-          {"border_px", json_of(with.border_px)},
-          {"tilt_deg", json_of(with.tilt_deg)},
-          {"size_px", json_of(with.size_px)}};
+          {"blur_px", number(with.blur_px)},
+          {"displacement_d", number(with.displacement_d)},
+          {"border_px", number(with.border_px)},
+          {"tilt_deg", number(with.tilt_deg)},
+          {"size_px", number(with.size_px)}};
 }
 
 Json json_of(const Case& c, const Acquisition& search) {
@@ -218,10 +215,7 @@ void for_each_case(const StoredComparison& comparison, const Gate& gate, const s
   }
 }
 
-}  // namespace
-
-int explain(const ExplainArguments& arguments) {
-  const auto all = read_results(arguments.folder);
+void explain_all(const std::vector<StoredComparison>& all, const ExplainArguments& arguments) {
   check_target(all, arguments.target);
   Json objects = Json::array();
   bool first = true;
@@ -237,8 +231,14 @@ int explain(const ExplainArguments& arguments) {
       }
     });
   }
-  if (arguments.json) fmt::print("{}\n", objects.dump(2));
-  return 0;
+  if (arguments.json) fmt::print("{}", json_text(objects));
+}
+
+}  // namespace
+
+int explain(const ExplainArguments& arguments) {
+  return with_readable(find_results(arguments.folder),
+                       [&](const std::vector<StoredComparison>& all) { explain_all(all, arguments); });
 }
 
 }  // namespace relock

@@ -7,6 +7,7 @@
 
 #include "cli/benchmark_files.h"
 #include "cli/files.h"
+#include "cli/readable.h"
 #include "cli/runs/folder.h"
 #include "cli/verbs.h"
 #include "core/csv.h"
@@ -71,12 +72,9 @@ void write_run(const StoredComparison& comparison, const StoredRun& run, ResultF
   }
 }
 
-}  // namespace
-
-int export_results(const ExportArguments& arguments) {
-  const ResultFormat format = parse_result_format(arguments.as);
-  const auto all = read_results(arguments.folder);
-  Files files(arguments.out);
+/// Writes whatever the format is for, and tells what it is not for.
+void write_all(const std::vector<StoredComparison>& all, const ExportArguments& arguments,
+               ResultFormat format, Files& files) {
   for (const StoredComparison& comparison : all) {
     const Protocol protocol = comparison.runs.front().record.protocol;
     if (!fits(format, protocol)) {
@@ -91,7 +89,16 @@ int export_results(const ExportArguments& arguments) {
                             arguments.folder.string(), arguments.as,
                             format == ResultFormat::vot ? "vot" : "once or detect"));
   fmt::print("{} files in {}\n", files.count(), arguments.out.string());
-  return 0;
+}
+
+}  // namespace
+
+int export_results(const ExportArguments& arguments) {
+  const ResultFormat format = parse_result_format(arguments.as);
+  return with_readable(find_results(arguments.folder), [&](const std::vector<StoredComparison>& all) {
+    Files files(arguments.out);
+    write_all(all, arguments, format, files);
+  });
 }
 
 }  // namespace relock

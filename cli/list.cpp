@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "cli/catalogue.h"
+#include "cli/json_text.h"
 #include "cli/verbs.h"
 
 namespace relock {
@@ -39,20 +39,19 @@ std::vector<Row> rows(const Methods& methods) {
 }
 
 void print_json(const std::vector<Row>& all) {
-  auto json = nlohmann::ordered_json::array();
+  Json json = Json::array();
   for (const Row& row : all) {
-    auto options = nlohmann::ordered_json::array();
+    Json options = Json::array();
     for (const OptionInfo& o : row.options)
       options.push_back(
           {{"name", o.name}, {"default", o.default_value}, {"unit", o.unit}, {"sentence", o.sentence}});
-    json.push_back(
-        {{"name", row.name},
-         {"kind", row.kind},
-         {"sentence", row.sentence},
-         {"options", options},
-         {"plugin", row.plugin.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(row.plugin)}});
+    json.push_back({{"name", row.name},
+                    {"kind", row.kind},
+                    {"sentence", row.sentence},
+                    {"options", options},
+                    {"plugin", row.plugin.empty() ? Json() : Json(row.plugin)}});
   }
-  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  fmt::print("{}", json_text(json));
 }
 
 }  // namespace

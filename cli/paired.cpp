@@ -4,10 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "cli/comparison.h"
+#include "cli/json_text.h"
 #include "cli/table.h"
 #include "core/error.h"
 
@@ -35,7 +35,7 @@ std::optional<std::size_t> arm_without(const std::vector<StoredComparison>& all,
                                        const StoredComparison& with) {
   const auto key = [](const StoredComparison& c) {
     const RunRecord& r = conditions_of(c);
-    return std::tie(r.recording, r.fingerprint, r.protocol, r.gate, r.seed);
+    return std::tuple(r.recording, r.fingerprint, r.showing(), r.gate, r.seed);
   };
   const auto found = std::find_if(all.begin(), all.end(), [&](const StoredComparison& other) {
     return as_recorded(other) && key(other) == key(with);
@@ -79,7 +79,7 @@ void add_new(std::vector<Value>& all, const Value& value) {
 
 GapExperiment experiment_on(const std::vector<Arms>& all, const std::optional<std::string>& gate) {
   const RunRecord& first = conditions_of(*all.front().with);
-  GapExperiment experiment{first.gaps, first.protocol, gate_of(*all.front().with, gate), {}, {}, {}};
+  GapExperiment experiment{first.gaps, first.showing(), gate_of(*all.front().with, gate), {}, {}, {}};
   std::vector<const RunRecord*> methods;
   for (const Arms& arms : all) {
     add_new(experiment.recordings, arms.with->recording.name);
@@ -101,7 +101,7 @@ GapExperiment experiment_on(const std::vector<Arms>& all, const std::optional<st
 
 // Text
 
-std::string number(const std::optional<double>& value, int decimals) {
+std::string cell(const std::optional<double>& value, int decimals) {
   return value ? fmt::format("{:.{}f}", *value, decimals) : "n/a";
 }
 
@@ -121,9 +121,9 @@ std::string interval_text(const std::optional<Interval>& interval, int decimals)
 std::string mark(int verdict) { return verdict < 0 ? "worse" : verdict > 0 ? "better" : ""; }
 
 void add_score(Table& table, CostScore which, const PairedScore& score, int decimals) {
-  table.add({fmt::format("  {}", to_string(which)), number(score.without, decimals),
-             number(score.with, decimals), signed_number(score.difference, decimals),
-             interval_text(score.interval, decimals), mark(verdict_on(which, score))});
+  table.add({fmt::format("  {}", to_string(which)), cell(score.without, decimals), cell(score.with, decimals),
+             signed_number(score.difference, decimals), interval_text(score.interval, decimals),
+             mark(verdict_on(which, score))});
 }
 
 /// An error below the accuracy of the labels says nothing, and neither does its difference.
@@ -132,10 +132,10 @@ void add_error(Table& table, const GapCost& cost) {
   const double least = 2 * cost.label_sigma_px;
   const auto below = [&](const std::optional<double>& px) { return px && *px < least; };
   if (!below(score.without) && !below(score.with)) return add_score(table, CostScore::error_px, score, 2);
-  const auto cell = [&](const std::optional<double>& px) {
-    return below(px) ? fmt::format("<{:.2f}", least) : number(px, 2);
+  const auto px_cell = [&](const std::optional<double>& px) {
+    return below(px) ? fmt::format("<{:.2f}", least) : cell(px, 2);
   };
-  table.add({fmt::format("  {}", to_string(CostScore::error_px)), cell(score.without), cell(score.with),
+  table.add({fmt::format("  {}", to_string(CostScore::error_px)), px_cell(score.without), px_cell(score.with),
              "n/a", "n/a", ""});
 }
 
@@ -145,8 +145,8 @@ void add_method(Table& table, const GapExperiment::MethodCost& method) {
   add_score(table, CostScore::recognition, cost[CostScore::recognition], 3);
   add_score(table, CostScore::locked_share, cost[CostScore::locked_share], 3);
   add_score(table, CostScore::availability, cost[CostScore::availability], 3);
-  table.add({"  available, all frames", number(cost.recorded_availability_without, 3),
-             number(cost.recorded_availability_with, 3), "", "", ""});
+  table.add({"  available, all frames", cell(cost.recorded_availability_without, 3),
+             cell(cost.recorded_availability_with, 3), "", "", ""});
   table.add({"  losses", std::to_string(cost.losses_without), std::to_string(cost.losses_with), "", "", ""});
   add_score(table, CostScore::losses_per_minute, cost[CostScore::losses_per_minute], 1);
   add_error(table, cost);
@@ -164,10 +164,9 @@ std::string listed(const std::string& what, std::size_t count, const std::string
 }
 
 std::string heading(const GapExperiment& e) {
-  return fmt::format("Cost of the gaps {}: {}, {}, protocol {}, gate {}\n", e.gaps,
-                     fmt::join(e.recordings, ", "),
+  return fmt::format("Cost of the gaps {}: {}, {}, {}, gate {}\n", e.gaps, fmt::join(e.recordings, ", "),
                      listed("seed", e.seeds.size(), fmt::format("{}", fmt::join(e.seeds, ", "))),
-                     to_string(e.protocol), to_string(e.gate));
+                     spoken(e.showing), to_string(e.gate));
 }
 
 /// How many frames the scores stand on; for each method where resets cut the pairs differently.
@@ -189,15 +188,11 @@ std::string frames_text(const GapExperiment& e) {
 
 // JSON
 
-using Json = nlohmann::ordered_json;
-
-Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
 Json json_of(const PairedScore& score) {
-  return {{"without", json_of(score.without)},
-          {"with", json_of(score.with)},
-          {"difference", json_of(score.difference)},
-          {"interval", score.interval ? Json{score.interval->low, score.interval->high} : Json()}};
+  return {{"without", number(score.without)},
+          {"with", number(score.with)},
+          {"difference", number(score.difference)},
+          {"interval", interval(score.interval)}};
 }
 
 Json json_of(const GapExperiment& e, const GapExperiment::MethodCost& m) {
@@ -208,7 +203,10 @@ Json json_of(const GapExperiment& e, const GapExperiment::MethodCost& m) {
     scores[name] = json_of(m.cost.scores[i]);
   }
   return {{"gaps", e.gaps},
-          {"protocol", to_string(e.protocol)},
+          {"protocol", to_string(e.showing.protocol)},
+          {"start", e.showing.anchor ? Json(to_string(*e.showing.anchor)) : Json()},
+          {"real_time", e.showing.real_time},
+          {"latency", e.showing.latency},
           {"gate", to_string(e.gate)},
           {"recordings", e.recordings},
           {"seeds", e.seeds},
@@ -222,8 +220,8 @@ Json json_of(const GapExperiment& e, const GapExperiment::MethodCost& m) {
           {"losses", {{"without", m.cost.losses_without}, {"with", m.cost.losses_with}}},
           {"scores", scores},
           {"recorded_availability",
-           {{"without", json_of(m.cost.recorded_availability_without)},
-            {"with", json_of(m.cost.recorded_availability_with)}}},
+           {{"without", number(m.cost.recorded_availability_without)},
+            {"with", number(m.cost.recorded_availability_with)}}},
           {"label_sigma_px", m.cost.label_sigma_px}};
 }
 
@@ -231,7 +229,7 @@ Json json_of(const GapExperiment& e, const GapExperiment::MethodCost& m) {
 
 std::vector<GapExperiment> gap_experiments(std::vector<StoredComparison> comparisons,
                                            const std::optional<std::string>& gate) {
-  std::map<std::tuple<std::string, Protocol, std::string>, std::vector<Arms>> by_pattern;
+  std::map<std::tuple<std::string, Showing, std::string>, std::vector<Arms>> by_pattern;
   for (StoredComparison& with : comparisons) {
     if (as_recorded(with)) continue;
     const auto without = arm_without(comparisons, with);
@@ -239,7 +237,7 @@ std::vector<GapExperiment> gap_experiments(std::vector<StoredComparison> compari
     const Arms arms{&comparisons[*without], &with};
     make_equally_long(arms);
     const RunRecord& record = conditions_of(with);
-    by_pattern[{record.gaps, record.protocol, record.gate}].push_back(arms);
+    by_pattern[{record.gaps, record.showing(), record.gate}].push_back(arms);
   }
   if (by_pattern.empty())
     throw Error(
@@ -258,9 +256,8 @@ std::vector<std::string> without_a_pair(const std::vector<StoredComparison>& com
   for (const StoredComparison& with : comparisons) {
     const RunRecord& record = conditions_of(with);
     if (as_recorded(with) || arm_without(comparisons, with)) continue;
-    sentences.push_back(
-        fmt::format("{} with gaps {}, seed {}, protocol {}: there is no run of it as recorded",
-                    record.recording, record.gaps, record.seed, to_string(record.protocol)));
+    sentences.push_back(fmt::format("{} with gaps {}, seed {}, {}: there is no run of it as recorded",
+                                    record.recording, record.gaps, record.seed, spoken(record.showing())));
   }
   return sentences;
 }
@@ -288,7 +285,7 @@ std::string cost_json(const std::vector<GapExperiment>& experiments) {
   Json all = Json::array();
   for (const GapExperiment& experiment : experiments)
     for (const auto& method : experiment.methods) all.push_back(json_of(experiment, method));
-  return all.dump(2) + "\n";
+  return json_text(all);
 }
 
 void print_cost_of_gaps(std::vector<StoredComparison> comparisons, const std::optional<std::string>& gate) {

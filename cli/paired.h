@@ -9,7 +9,7 @@
 
 namespace relock {
 
-/// What one gap pattern cost the methods: paired over recordings and seeds, by one protocol.
+/// What one gap pattern cost the methods: paired over recordings and seeds, all shown in the same way.
 struct GapExperiment {
   struct MethodCost {
     std::string method;
@@ -18,7 +18,7 @@ struct GapExperiment {
     GapCost cost;
   };
   std::string gaps;
-  Protocol protocol = Protocol::once;
+  Showing showing;
   Gate gate;
   std::vector<std::string> recordings;
   std::vector<std::uint64_t> seeds;
@@ -26,7 +26,7 @@ struct GapExperiment {
 };
 
 /// The experiments that are whole among `comparisons`: of every gap pattern the runs that were made as
-/// recorded, too, with the same recording, protocol and seed. `gate`: else the one by which resets were judged,
+/// recorded, too, with the same recording, seed, protocol, anchor, real time and latency. `gate`: else the one by which resets were judged,
 /// else centre. Throws Error when no run has both arms.
 std::vector<GapExperiment> gap_experiments(std::vector<StoredComparison> comparisons,
                                            const std::optional<std::string>& gate);

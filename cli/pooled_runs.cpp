@@ -5,16 +5,24 @@
 #include <algorithm>
 
 #include "cli/comparison.h"
+#include "cli/readable.h"
 
 namespace relock {
 namespace {
 
+/// Runs from all anchors of protocol multistart belong together.
+Showing pooled_showing(const RunRecord& record) {
+  Showing showing = record.showing();
+  showing.anchor.reset();
+  return showing;
+}
+
 PooledRuns& group_of(std::vector<PooledRuns>& groups, const RunRecord& record, const Gate& gate) {
+  const Showing showing = pooled_showing(record);
   const auto found = std::find_if(groups.begin(), groups.end(), [&](const PooledRuns& group) {
-    return group.protocol == record.protocol && group.gaps == record.gaps && group.gate == gate;
+    return group.showing == showing && group.gaps == record.gaps && group.gate == gate;
   });
-  return found != groups.end() ? *found
-                               : groups.emplace_back(PooledRuns{record.protocol, record.gaps, gate, {}});
+  return found != groups.end() ? *found : groups.emplace_back(PooledRuns{showing, record.gaps, gate, {}});
 }
 
 PooledMethod& method_of(std::vector<PooledMethod>& methods, const RunRecord& record) {
@@ -22,6 +30,15 @@ PooledMethod& method_of(std::vector<PooledMethod>& methods, const RunRecord& rec
                                   [&](const PooledMethod& m) { return m.method == record.method; });
   return found != methods.end() ? *found
                                 : methods.emplace_back(PooledMethod{record.method, record.yardstick, {}});
+}
+
+Json group_json(const PooledRuns& group, Json methods) {
+  return {{"protocol", to_string(group.showing.protocol)},
+          {"gaps", group.gaps},
+          {"gate", to_string(group.gate)},
+          {"real_time", group.showing.real_time},
+          {"latency", group.showing.latency},
+          {"methods", std::move(methods)}};
 }
 
 }  // namespace
@@ -44,8 +61,28 @@ std::vector<PooledRuns> pooled(const std::vector<StoredComparison>& all,
 }
 
 std::string heading(const PooledRuns& runs) {
-  return fmt::format("protocol {}, {}, gate {}", to_string(runs.protocol),
+  return fmt::format("{}, {}, gate {}", spoken(runs.showing),
                      runs.gaps == "none" ? "as recorded" : "gaps " + runs.gaps, to_string(runs.gate));
+}
+
+int tell_pooled(const ResultsArguments& arguments, const std::function<void(const PooledRuns&)>& print,
+                const std::function<Json(const PooledRuns&, const PooledMethod&)>& json_of) {
+  return with_readable(find_results(arguments.folder), [&](const std::vector<StoredComparison>& all) {
+    Json groups = Json::array();
+    bool first = true;
+    for (const PooledRuns& group : pooled(all, arguments.gate)) {
+      if (arguments.json) {
+        Json methods = Json::array();
+        for (const PooledMethod& method : group.methods) methods.push_back(json_of(group, method));
+        groups.push_back(group_json(group, std::move(methods)));
+      } else {
+        fmt::print("{}{}\n", first ? "" : "\n", heading(group));
+        print(group);
+      }
+      first = false;
+    }
+    if (arguments.json) fmt::print("{}", json_text(groups));
+  });
 }
 
 }  // namespace relock

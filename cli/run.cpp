@@ -8,6 +8,7 @@
 #include <set>
 
 #include "cli/paired.h"
+#include "cli/readable.h"
 #include "cli/runs/folder.h"
 #include "cli/runs/matrix.h"
 #include "cli/runs/pool.h"
@@ -141,14 +142,15 @@ void note_faults(Faults& faults, const PlannedRun& run, const FinishedRun& done)
 }
 
 /// What the gaps cost, of the runs of this plan only: other runs may be in its folder, too.
-void tell_cost(const Plan& plan, const Matrix& matrix) {
+int tell_cost(const Plan& plan, const Matrix& matrix) {
   std::set<std::filesystem::path> folders;
   for (const PlannedRun& run : matrix.runs)
     folders.insert(std::filesystem::weakly_canonical(run.folder.parent_path()));
-  auto comparisons = read_results(plan.out);
-  std::erase_if(comparisons, [&](const StoredComparison& c) { return !folders.contains(c.folder); });
+  auto found = find_results(plan.out);
+  std::erase_if(found, [&](const FoundComparison& c) { return !folders.contains(c.folder); });
   fmt::print("\n");
-  print_cost_of_gaps(std::move(comparisons), {});
+  return with_readable(found,
+                       [](std::vector<StoredComparison> own) { print_cost_of_gaps(std::move(own), {}); });
 }
 
 int make(const Plan& plan, const Matrix& matrix, int jobs) {
@@ -184,8 +186,8 @@ int make(const Plan& plan, const Matrix& matrix, int jobs) {
   const std::string out = plan.out.string();
   fmt::print("Results are in {0}; see them with `relock timeline {0}` and `relock score {0}`\n", out);
   std::fflush(stdout);
-  if (plan.paired) tell_cost(plan, matrix);
-  return faults.tell();
+  const int status = plan.paired ? tell_cost(plan, matrix) : 0;
+  return std::max(status, faults.tell());
 }
 
 /// "multistart from frame 50 backward".

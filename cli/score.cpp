@@ -9,6 +9,7 @@
 
 #include "cli/comparison.h"
 #include "cli/files.h"
+#include "cli/readable.h"
 #include "cli/scores/files.h"
 #include "cli/scores/tables.h"
 #include "cli/verbs.h"
@@ -250,9 +251,7 @@ int score(const ScoreArguments& arguments) {
       print_tables(tables, TableFormat::text, read);
       break;
   }
-  std::fflush(stdout);
-  for (const std::string& why : read.unreadable) fmt::print(stderr, "relock: {} (left out)\n", why);
-  return read.unreadable.empty() ? 0 : 2;
+  return tell_left_out(read.unreadable);
 }
 
 }  // namespace relock

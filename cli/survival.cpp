@@ -2,16 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
+#include "cli/json_text.h"
 #include "cli/pooled_runs.h"
 #include "cli/verbs.h"
 #include "eval/tracking_survival.h"
 
 namespace relock {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 TrackingSurvivals survival_of(const PooledMethod& method) {
   std::vector<TrackingLifetime> all;
@@ -24,10 +21,6 @@ TrackingSurvivals survival_of(const PooledMethod& method) {
   return tracking_survival(all);
 }
 
-Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-/// An end that is infinite is null.
-Json interval(const std::optional<Interval>& value) { return value ? Json{value->low, value->high} : Json(); }
-
 Json to_json(const TrackingSurvival& s, double claim) {
   return {{"median", number(s.median)},
           {"median_interval", interval(s.median_interval)},
@@ -38,7 +31,6 @@ Json to_json(const TrackingSurvival& s, double claim) {
 }
 
 void print_group(const PooledRuns& group) {
-  fmt::print("{}\n", heading(group));
   for (const PooledMethod& method : group.methods)
     fmt::print("  {} {}\n", method.method, sentence(survival_of(method)));
   fmt::print(
@@ -54,40 +46,21 @@ void print_group(const PooledRuns& group) {
   fmt::print("{}\n", first ? " no method was given the target" : "");
 }
 
-Json group_json(const PooledRuns& group) {
-  Json methods = Json::array();
-  for (const PooledMethod& method : group.methods) {
-    const TrackingSurvivals s = survival_of(method);
-    methods.push_back({{"method", method.method},
-                       {"starts", s.starts},
-                       {"losses", s.losses},
-                       {"frames", to_json(s.frames, kClaimFrames)},
-                       {"seconds", to_json(s.seconds, kClaimSeconds)},
-                       {"paper_claim", to_string(judge_claim(s))}});
-  }
-  return {{"protocol", to_string(group.protocol)},
-          {"gaps", group.gaps},
-          {"gate", to_string(group.gate)},
-          {"methods", methods}};
+Json method_json(const PooledMethod& method) {
+  const TrackingSurvivals s = survival_of(method);
+  return {{"method", method.method},
+          {"starts", s.starts},
+          {"losses", s.losses},
+          {"frames", to_json(s.frames, kClaimFrames)},
+          {"seconds", to_json(s.seconds, kClaimSeconds)},
+          {"paper_claim", to_string(judge_claim(s))}};
 }
 
 }  // namespace
 
-int survival(const SurvivalArguments& arguments) {
-  const auto all = read_results(arguments.folder);
-  Json json = Json::array();
-  bool first = true;
-  for (const PooledRuns& group : pooled(all, arguments.gate)) {
-    if (arguments.json) {
-      json.push_back(group_json(group));
-      continue;
-    }
-    if (!first) fmt::print("\n");
-    first = false;
-    print_group(group);
-  }
-  if (arguments.json) fmt::print("{}\n", json.dump(2));
-  return 0;
+int survival(const ResultsArguments& arguments) {
+  return tell_pooled(arguments, print_group,
+                     [](const PooledRuns&, const PooledMethod& method) { return method_json(method); });
 }
 
 }  // namespace relock

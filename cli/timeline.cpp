@@ -6,6 +6,7 @@
 
 #include "cli/chosen_target.h"
 #include "cli/comparison.h"
+#include "cli/readable.h"
 #include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "eval/timeline_text.h"
@@ -57,13 +58,10 @@ void print_target(const ScoredComparison& scored, std::size_t t, TimelineStyle s
   fmt::print("  {:{}}  {}\n", "", name_columns, marks);
 }
 
-}  // namespace
-
-int timeline(const TimelineArguments& arguments) {
+void print_all(std::vector<StoredComparison> all, const TimelineArguments& arguments) {
   const Terminal out = terminal(stdout);
   const TimelineStyle style{60, out.unicode && !arguments.ascii, out.colour && !arguments.ascii};
   bool first = true;
-  auto all = read_results(arguments.folder);
   check_target(all, arguments.target);
   for (StoredComparison& stored : all) {
     const Gate gate = gate_of(stored, arguments.gate);
@@ -78,7 +76,13 @@ int timeline(const TimelineArguments& arguments) {
     if (const auto end = end_of_recording(compared.stored)) fmt::print("  {}\n", *end);
   }
   fmt::print("\n  {}\n", legend(style));
-  return 0;
+}
+
+}  // namespace
+
+int timeline(const TimelineArguments& arguments) {
+  return with_readable(find_results(arguments.folder),
+                       [&](std::vector<StoredComparison> all) { print_all(std::move(all), arguments); });
 }
 
 }  // namespace relock

@@ -48,12 +48,15 @@ struct ScoreArguments {
 };
 int score(const ScoreArguments& arguments);
 
-struct CostArguments {
+/// Of the verbs that tell one thing of all results below a folder.
+struct ResultsArguments {
   std::filesystem::path folder;
   std::optional<std::string> gate;  ///< else the one by which resets were judged, else centre
   bool json = false;
 };
-int cost(const CostArguments& arguments);
+int cost(const ResultsArguments& arguments);
+int survival(const ResultsArguments& arguments);
+int attribute(const ResultsArguments& arguments);
 
 struct ExplainArguments {
   std::filesystem::path folder;
@@ -70,20 +73,6 @@ struct TimelineArguments {
   bool ascii = false;
 };
 int timeline(const TimelineArguments& arguments);
-
-struct SurvivalArguments {
-  std::filesystem::path folder;
-  std::optional<std::string> gate;  ///< else the one by which resets were judged, else centre
-  bool json = false;
-};
-int survival(const SurvivalArguments& arguments);
-
-struct AttributeArguments {
-  std::filesystem::path folder;
-  std::optional<std::string> gate;  ///< else the one by which resets were judged, else centre
-  bool json = false;
-};
-int attribute(const AttributeArguments& arguments);
 
 struct DetectArguments {
   std::vector<std::filesystem::path> images;

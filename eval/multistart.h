@@ -24,7 +24,7 @@ Direction parse_direction(std::string_view text);
 struct Anchor {
   FrameIndex frame = 0;  ///< counted as recorded, whichever way is gone
   Direction direction = Direction::forward;
-  friend bool operator==(const Anchor&, const Anchor&) = default;
+  friend auto operator<=>(const Anchor&, const Anchor&) = default;
 };
 /// "frame 50 backward".
 std::string to_string(const Anchor& anchor);

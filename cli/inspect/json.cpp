@@ -1,14 +1,11 @@
 // The report of `relock inspect` as JSON.
 
-#include <nlohmann/json.hpp>
-
 #include "cli/inspect/report.h"
+#include "cli/json_text.h"
 #include "eval/blur_estimate.h"
 
 namespace relock {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 template <class Value>
 Json maybe(const std::optional<Value>& value) {
@@ -44,7 +41,7 @@ Json to_json(const Recording& recording, const IntervalInspection& in) {
               {"deviation_ms", in.jitter->deviation_ms},
               {"largest_ms", in.jitter->largest_ms},
               {"largest_before_frame", in.jitter->largest_at}};
-  return {{"histogram", histogram}, {"gaps", in.gaps},          {"missing_share", maybe(in.missing_share)},
+  return {{"histogram", histogram}, {"gaps", in.gaps},          {"missing_share", number(in.missing_share)},
           {"longest_gap", longest}, {"jitter", jitter},         {"pauses_before_frame", in.pauses},
           {"slots", in.slots},      {"intervals_ns", intervals}};
 }
@@ -107,7 +104,7 @@ std::string inspect_json(const InspectReport& report) {
                   {"pictures_fault", maybe(report.pictures_fault)},
                   {"fit_for", fit},
                   {"limits", limits}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 }  // namespace relock

@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "cli/json_text.h"
 #include "cli/map/answer.h"
 #include "cli/version.h"
 #include "core/csv.h"
 
 namespace relock::maps {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double kLeastShare = 0, kLeastDifference = -1;
 
@@ -150,7 +148,7 @@ std::string json_of(const MeasuredMap& map, const Answer& answer) {
   json["difference"] = std::move(difference);
   json["boundaries"] = std::move(boundaries);
   json["flight"] = simulator::flight_plan_text(map.plan.flight);
-  return json.dump(1) + "\n";
+  return json_text(json);
 }
 
 }  // namespace relock::maps

@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/files.h"
+#include "cli/json_text.h"
 #include "core/error.h"
 
 namespace relock {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json to_json(const std::vector<std::optional<FrameIndex>>& frames) {
   Json all = Json::array();
@@ -119,17 +116,15 @@ bool RunRecord::same_conditions(const RunRecord& other) const {
   return conditions(*this) == conditions(other);
 }
 
-std::string spoken_protocol(const RunRecord& record) {
-  std::string text = fmt::format("protocol {}", to_string(record.protocol));
-  if (record.anchor) text += fmt::format(" from {}", to_string(*record.anchor));
-  if (!record.real_time.empty())
-    text += fmt::format(", real time {}, latency {}", record.real_time, record.latency);
+std::string spoken(const Showing& showing) {
+  std::string text = fmt::format("protocol {}", to_string(showing.protocol));
+  if (showing.anchor) text += fmt::format(" from {}", to_string(*showing.anchor));
+  if (!showing.real_time.empty())
+    text += fmt::format(", real time {}, latency {}", showing.real_time, showing.latency);
   return text;
 }
 
-std::string to_json_text(const RunRecord& record) {
-  return to_json(record).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
+std::string to_json_text(const RunRecord& record) { return json_text(to_json(record)); }
 
 RunRecord parse_record(const std::string& text, const std::string& name) {
   try {

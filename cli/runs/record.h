@@ -11,6 +11,18 @@
 
 namespace relock {
 
+/// How a method was shown a recording.
+struct Showing {
+  Protocol protocol = Protocol::once;
+  std::optional<Anchor> anchor;  ///< protocol multistart
+  std::string real_time;  ///< which frames waited for a busy method; empty: it had all the time it wanted
+  std::string latency;    ///< then, of its answers
+  friend auto operator<=>(const Showing&, const Showing&) = default;
+};
+/// "protocol once, real time latest, latency constant(20ms)", "protocol multistart from frame 50 backward": for
+/// headings.
+std::string spoken(const Showing& showing);
+
 /// What produced a run, and how it went: run.json.
 struct RunRecord {
   // What went in. A run with the same of these is not run again.
@@ -42,12 +54,10 @@ struct RunRecord {
   std::optional<Failure> cut_short;  ///< the recording could not be read on from there
 
   bool same_inputs(const RunRecord& other) const;
+  Showing showing() const { return {protocol, anchor, real_time, latency}; }
   /// Whether both may stand in one table: the same inputs but for the method and the program.
   bool same_conditions(const RunRecord& other) const;
 };
-
-/// "protocol once, real time latest, latency constant(20ms)", "protocol multistart from frame 50 backward": how methods were shown the recording, for headings.
-std::string spoken_protocol(const RunRecord& record);
 
 /// run.json, as text and back.
 std::string to_json_text(const RunRecord& record);

@@ -1,24 +1,10 @@
 #include <fmt/format.h>
 
-#include <cmath>
-#include <nlohmann/json.hpp>
-
+#include "cli/json_text.h"
 #include "cli/scores/files.h"
 
 namespace relock {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// null for n/a; JSON knows no infinity, so that is a word.
-Json number(const std::optional<double>& value) {
-  if (!value) return {};
-  return std::isinf(*value) ? Json("infinite") : Json(*value);
-}
-
-Json to_json(const std::optional<Interval>& interval) {
-  return interval ? Json{number(interval->low), number(interval->high)} : Json();
-}
 
 template <std::size_t n>
 Json bins(const std::array<HitCount, n>& counts, std::string_view (*name)(std::size_t)) {
@@ -38,9 +24,9 @@ Json to_json(const Recovery& r) {
 
 Json to_json(const TrackingSurvival& s, std::string_view claim) {
   return {{"median", number(s.median)},
-          {"median_interval", to_json(s.median_interval)},
+          {"median_interval", interval(s.median_interval)},
           {fmt::format("at_{}", claim), number(s.at_claim)},
-          {fmt::format("at_{}_interval", claim), to_json(s.at_claim_interval)},
+          {fmt::format("at_{}_interval", claim), interval(s.at_claim_interval)},
           {"follow_up", s.follow_up}};
 }
 
@@ -153,12 +139,12 @@ Json to_json(const MethodPool& pool, const JudgedMethod& method) {
   Json intervals, standings;
   for (std::size_t i = 0; i < kShareScores; ++i) {
     const std::string name(share_scores()[i].name);
-    intervals[name] = to_json(method.shares[i]);
+    intervals[name] = interval(method.shares[i]);
     standings[name] = to_string(method.standings[i]);
   }
-  intervals["losses_per_minute"] = to_json(method.losses_per_minute);
-  intervals["time_to_recover_median_s"] = to_json(method.scores.recovery.median_s_interval);
-  intervals["median_px"] = to_json(method.median_px);
+  intervals["losses_per_minute"] = interval(method.losses_per_minute);
+  intervals["time_to_recover_median_s"] = interval(method.scores.recovery.median_s_interval);
+  intervals["median_px"] = interval(method.median_px);
   return {{"method", pool.method},
           {"yardstick", pool.yardstick},
           {"recordings", pool.frames.size()},
@@ -188,8 +174,6 @@ Json to_json(const JudgedTable& judged) {
           {"methods", methods}};
 }
 
-std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
-
 }  // namespace
 
 std::string scores_json(const StoredRun& run, const Recording& recording, const Gate& gate,
@@ -207,13 +191,13 @@ std::string scores_json(const StoredRun& run, const Recording& recording, const 
                   {"cut_short_at_frame", run.record.cut_short ? Json(run.record.cut_short->frame) : Json()},
                   {"pooled", to_json(sheet.pooled)},
                   {"targets", targets}};
-  return dump(json);
+  return json_text(json);
 }
 
 std::string tables_json(const std::vector<JudgedTable>& tables) {
   Json all = Json::array();
   for (const JudgedTable& table : tables) all.push_back(to_json(table));
-  return dump({{"tables", all}});
+  return json_text({{"tables", all}});
 }
 
 }  // namespace relock

@@ -69,6 +69,53 @@ TEST(GapExperiments, ArePairedWithTheSameSeedOnly) {
   EXPECT_NE(left_out[0].find("seed 2"), std::string::npos) << left_out[0];
 }
 
+/// All of its runs were made in real time.
+StoredComparison in_real_time(StoredComparison made, const std::string& latency) {
+  for (StoredRun& run : made.runs) run.record.real_time = "latest", run.record.latency = latency;
+  return made;
+}
+
+TEST(GapExperiments, ArePairedWithRunsInTheSameRealTimeOnly) {
+  const auto recorded = comparison("a", "none", 1, "HHHH"), gaps = comparison("a", "paper", 1, "HH.H");
+  const auto slow = in_real_time(gaps, "constant(70ms)");
+  EXPECT_THROW(gap_experiments({recorded, slow}, {}), Error);
+  EXPECT_THROW(gap_experiments({in_real_time(recorded, "constant(20ms)"), slow}, {}), Error);
+  const auto left_out = without_a_pair({recorded, gaps, slow});
+  ASSERT_EQ(left_out.size(), 1u);
+  EXPECT_NE(left_out[0].find("real time latest, latency constant(70ms)"), std::string::npos) << left_out[0];
+}
+
+TEST(GapExperiments, InRealTimeAreExperimentsOfTheirOwn) {
+  const auto recorded = comparison("a", "none", 1, "HHHH"), gaps = comparison("a", "paper", 1, "HH.H");
+  const auto all = gap_experiments({recorded, gaps, in_real_time(recorded, "constant(70ms)"),
+                                    in_real_time(comparison("a", "paper", 1, "HM.M"), "constant(70ms)")},
+                                   {});
+  ASSERT_EQ(all.size(), 2u);
+  for (const GapExperiment& experiment : all) EXPECT_EQ(experiment.methods.at(0).cost.pairs, 1u);
+  const std::string patient = cost_text(all[0]), hurried = cost_text(all[1]);
+  EXPECT_EQ(patient.find("real time"), std::string::npos) << patient;
+  EXPECT_NE(hurried.find("protocol once, real time latest, latency constant(70ms)"), std::string::npos)
+      << hurried;
+  EXPECT_EQ(all[1].methods[0].cost[CostScore::recognition].with, 1.0 / 3);
+}
+
+TEST(GapExperiments, ArePairedFromTheSameAnchorOnly) {
+  const auto from = [](FrameIndex frame, Direction direction, StoredComparison made) {
+    for (StoredRun& run : made.runs)
+      run.record.protocol = Protocol::multistart, run.record.anchor = Anchor{frame, direction};
+    return made;
+  };
+  const auto recorded = comparison("a", "none", 1, "HHHH"), gaps = comparison("a", "paper", 1, "HH.H");
+  const auto ahead = from(0, Direction::forward, recorded), back = from(0, Direction::backward, gaps);
+  EXPECT_THROW(gap_experiments({ahead, back}, {}), Error);
+  const auto all =
+      gap_experiments({ahead, from(0, Direction::forward, gaps), from(50, Direction::forward, recorded),
+                       from(50, Direction::forward, gaps)},
+                      {});
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_NE(cost_text(all[1]).find("protocol multistart from frame 50 forward"), std::string::npos);
+}
+
 TEST(GapExperiments, LeaveOutAMethodThatOneArmDoesNotHave) {
   auto without = comparison("a", "none", 1, "HHHH"), with = comparison("a", "paper", 1, "HH.H");
   with.runs.push_back(comparison("a", "paper", 1, "HH.H", "other").runs.front());

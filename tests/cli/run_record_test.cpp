@@ -47,12 +47,12 @@ TEST(AComparison, IsNamedAfterItsAnchorAndItsRealTime) {
   record.protocol = Protocol::multistart;
   record.anchor = Anchor{50, Direction::backward};
   EXPECT_EQ(run_folder("out", record), "out/flight/recorded-multistart-0050-backward/kcf");
-  EXPECT_EQ(spoken_protocol(record), "protocol multistart from frame 50 backward");
+  EXPECT_EQ(spoken(record.showing()), "protocol multistart from frame 50 backward");
   record = some_record();
   record.real_time = "queue(3)";
   record.latency = "constant(20ms)";
   EXPECT_EQ(run_folder("out", record), "out/flight/recorded-once-queue-3-constant-20ms/kcf");
-  EXPECT_EQ(spoken_protocol(record), "protocol once, real time queue(3), latency constant(20ms)");
+  EXPECT_EQ(spoken(record.showing()), "protocol once, real time queue(3), latency constant(20ms)");
 }
 
 TEST(ALatencyFile, IsKnownByItsContent) {

@@ -78,6 +78,22 @@ fi
 # A results file that was tampered with.
 sed -i '9s/^[0-9]*,/77,/' "$work/out/klahaag/recorded-once/still/trajectory.csv"
 refused "a row out of order" "trajectory.csv:9: frame 77 comes after frame 6" "$relock" score "$work/out"
+for verb in "timeline" "explain" "survival" "attribute --json" "compatibility" "export --as otb --out $work/exported"; do
+  # shellcheck disable=SC2086  # verbs with their options
+  refused "a row out of order, to ${verb%% *}" "frame 77 comes after frame 6; every recorded frame must be there, in order (left out)" "$relock" $verb "$work/out"
+done
+for verb in "timeline" "explain" "survival" "attribute --json" "compatibility"; do
+  # shellcheck disable=SC2086
+  told=$("$relock" $verb "$work/out" 2>/dev/null)
+  expect_contains "${verb%% *} tells of the others" mute "$told"
+  expect "${verb%% *} does not tell of that run" 0 "$(grep -c -E '^ +still|"still"' <<<"$told")"
+done
+expect "export writes the others" "linear mute oracle" "$(cd "$work/exported" && echo *)"
+rm "$work"/out/klahaag/recorded-once/{linear,mute,oracle}/trajectory.csv
+"$relock" survival "$work/out" >"$work/nothing" 2>"$work/said"
+expect "where nothing can be read, that is the exit status" 2 $?
+expect "each run has its sentence" 4 "$(grep -c '(left out)$' "$work/said")"
+expect "and nothing else is said" "" "$(cat "$work/nothing")"
 
 # Names that need quoting, and conditions that do not belong in one table.
 mkdir -p "$work/odd"

@@ -54,4 +54,11 @@ expect_contains "and told when they are asked for" "mute, target shirt: 1 loss" 
 expect "a target that is not there is refused" 2 $?
 expect_contains "and the one that was meant is named" 'did you mean "shirt"' "$(cat "$work/said")"
 
+sed -i '9s/^[0-9]*,/77,/' "$work/a/klahaag/recorded-s2-once/kcf/trajectory.csv"
+"$relock" cost "$work/a" >"$work/cost" 2>"$work/said"
+expect "a run that cannot be read: exit status" 2 $?
+expect_contains "it is left out" "trajectory.csv:9: frame 77 comes after frame 6" "$(cat "$work/said")"
+expect "and the cost is told of the others" 0 "$(grep -c -w kcf "$work/cost")"
+expect_contains "yardsticks are still told of" "yardsticks without any difference: " "$(cat "$work/cost")"
+
 finish

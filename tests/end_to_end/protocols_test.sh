@@ -49,7 +49,7 @@ expect "and the same table" "$(cat "$work/slow.scores")" "$(cat "$work/slow2.sco
 slow=$work/slow/klahaag/recorded-once-latest-constant-70ms
 expect "skipped frames have a verdict" "$(grep -c ',skipped,' "$slow/kcf/trajectory.csv")" "$(verdicts "$slow/kcf" Skipped)"
 expect "and all others an answer" 53 "$(($(wc -l <"$slow/kcf/answers.csv") - 1 + $(verdicts "$slow/kcf" Skipped)))"
-awk '/method +own frames/ { on = 1 } /own frames: / { on = 0 } on && NF == 9 && $2 ~ /^[01]\./ { print $4 + $5 + $6 + $7 }' \
+awk '/^ +method +own frames/ { on = 1 } /own frames: / { on = 0 } on && NF == 9 && $2 ~ /^[01]\./ { print $4 + $5 + $6 + $7 }' \
   "$work/slow.scores" >"$work/sums"
 expect "what is lost and what is recognised add up" 5 "$(awk '$1 > 0.9985 && $1 < 1.0015' "$work/sums" | wc -l)"
 
