@@ -117,8 +117,8 @@ StoredRun read_run(const fs::path& folder, const Recording& recording) {
                             path.string(), run.trajectory.frames.size(), recording.frames()));
   if (!run.record.real_time.empty()) {
     const fs::path answers = folder / "answers.csv";
-    std::istringstream rows(read_file(answers));
-    run.answers = read_answers(rows, answers.string(), recording);
+    std::istringstream answered(read_file(answers));
+    run.answers = read_answers(answered, answers.string(), recording);
   }
   return run;
 }

@@ -1,6 +1,7 @@
 #include "cli/scores/judged.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "eval/statistics/ratio.h"
 
@@ -25,7 +26,14 @@ std::vector<RatioSeries> series_of(const ShareScore& score, const MethodPool& me
   return all;
 }
 
-/// Of the recordings that both have.
+std::set<std::string> targets_on(const std::string& recording, const MethodPool& method) {
+  std::set<std::string> targets;
+  for (const auto& [of, target] : method.scored_on)
+    if (of == recording) targets.insert(target);
+  return targets;
+}
+
+/// Of the recordings on which both were scored on the same targets.
 struct Pair {
   std::vector<RatioSeries> a, b;
 };
@@ -34,6 +42,7 @@ Pair paired(const ShareScore& score, const MethodPool& a, const MethodPool& b) {
   for (const auto& [recording, frames] : a.frames) {
     const auto other = b.frames.find(recording);
     if (other == b.frames.end() || other->second.size() != frames.size()) continue;
+    if (targets_on(recording, a) != targets_on(recording, b)) continue;
     both.a.push_back(series_of(score, frames));
     both.b.push_back(series_of(score, other->second));
   }
@@ -63,10 +72,25 @@ std::optional<std::size_t> best_of(const ScoreTable& table, const std::vector<Ju
   return best;
 }
 
+double share_of(const RatioSeries& series) {
+  return std::accumulate(series.part.begin(), series.part.end(), 0.0) /
+         std::accumulate(series.whole.begin(), series.whole.end(), 0.0);
+}
+
+/// On ten recordings and more, a method that is better on every one is better: by chance that happens once in 500
+/// times. Differences that are all alike have no scatter, and so no interval.
+bool better_on_all(const Pair& both) {
+  for (std::size_t i = 0; i < both.a.size(); ++i)
+    if (!(share_of(both.a[i]) > share_of(both.b[i]))) return false;
+  return both.a.size() >= kRecordingsToResample;
+}
+
 Standing standing_to(const ShareScore& score, const MethodPool& best, const MethodPool& method) {
   const Pair both = paired(score, best, method);
-  const auto difference = difference_interval(both.a, both.b);
-  return !difference || (difference->low <= 0 && difference->high >= 0) ? Standing::tied : Standing::worse;
+  if (const auto difference = difference_interval(both.a, both.b))
+    return difference->low <= 0 && difference->high >= 0 ? Standing::tied : Standing::worse;
+  if (better_on_all(both)) return Standing::worse;
+  return Standing::untold;
 }
 
 void rank(const ScoreTable& table, std::size_t which, std::vector<JudgedMethod>& judged) {
@@ -75,8 +99,13 @@ void rank(const ScoreTable& table, std::size_t which, std::vector<JudgedMethod>&
   if (!best) return;
   for (std::size_t i = 0; i < judged.size(); ++i) {
     if (table.methods[i].yardstick || !(judged[i].scores.*score.value)) continue;
-    judged[i].standings[which] =
-        i == *best ? Standing::best : standing_to(score, table.methods[*best], table.methods[i]);
+    Standing& standing = judged[i].standings[which];
+    if (i == *best)
+      standing = Standing::best;
+    else if (judged[i].scores.*score.value == judged[*best].scores.*score.value)
+      standing = Standing::tied;
+    else
+      standing = standing_to(score, table.methods[*best], table.methods[i]);
   }
 }
 
@@ -101,7 +130,7 @@ const std::array<ShareScore, kShareScores>& share_scores() {
 }
 
 std::string_view to_string(Standing standing) {
-  constexpr std::string_view names[] = {"", "best", "tied", "worse"};
+  constexpr std::string_view names[] = {"", "best", "tied", "worse", "untold"};
   return names[static_cast<std::size_t>(standing)];
 }
 

@@ -26,8 +26,9 @@ const std::array<ShareScore, kShareScores>& share_scores();
 enum class Standing : std::uint8_t {
   none,  ///< a yardstick, or no score
   best,
-  tied,  ///< not to be told from the best: the interval of the difference holds zero
+  tied,  ///< as good: the same, or the interval of the difference holds zero
   worse,
+  untold,  ///< the data are too few to say
 };
 std::string_view to_string(Standing standing);
 

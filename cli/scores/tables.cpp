@@ -27,13 +27,15 @@ std::string with_interval(const std::string& value, const std::optional<Interval
   return interval ? fmt::format("{} [{},{}]", value, bound(interval->low), bound(interval->high)) : value;
 }
 
-/// "0.912 [.85,.95]*": starred are the best and what is not to be told from it.
+/// "0.912 [.85,.95]*": starred are the best and what ties with it; "?" where the data cannot tell.
 std::string share_cell(const JudgedMethod& method, std::size_t which) {
   const auto& value = method.scores.*share_scores()[which].value;
   if (!value) return "n/a";
   const Standing standing = method.standings[which];
   return with_interval(cell(value, 3), method.shares[which]) +
-         (standing == Standing::best || standing == Standing::tied ? "*" : " ");
+         (standing == Standing::best || standing == Standing::tied ? "*"
+          : standing == Standing::untold                           ? "?"
+                                                                   : " ");
 }
 
 /// Localization finer than two standard deviations of the labels says nothing of the method.
@@ -183,10 +185,10 @@ Table bins_table(const std::vector<const JudgedTable*>& bins) {
 
 std::string_view table_footnote() {
   return R"(
-  [low,high] 95 % intervals. * the best, or not to be told from it by the paired difference; yardsticks apart. recover s:
-  Kaplan-Meier median, > where no more than half recovered while watched. silent: share of lost time with a wrong answer.
-  age s: of the newest Hit, median and p95. e px, p95, % D: position error over Hits, < where it is below the accuracy of
-  the labels (two standard deviations). common e: over Hits common to all methods.
+  [low,high] 95 % intervals, where the data tell. * the best, or tied with it by the paired difference; ? too few data to
+  tell it from the best; yardsticks apart. recover s: Kaplan-Meier median, > where no more than half recovered while watched.
+  silent: share of lost time with a wrong answer. age s: of the newest Hit, median and p95. e px, p95, % D: position error
+  over Hits, < where it is below the accuracy of the labels (two standard deviations). common e: over Hits common to all.
 )";
 }
 

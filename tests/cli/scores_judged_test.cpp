@@ -52,6 +52,16 @@ TEST(Standings, LeaveYardsticksOut) {
   }
 }
 
+TEST(Standings, AreUntoldByOneRecordingWithoutOutagesAndWorseWhenEachOfTwelveSaysSo) {
+  const std::string always(kFrames, 'H'), never(kFrames, 'M');
+  std::vector<StoredComparison> all{made_comparison("0", {{"always", {always}}, {"never", {never}}})};
+  EXPECT_EQ(judged_by_name(all).at("never").standings[kRecognition], Standing::untold);
+  for (int i = 1; i < 12; ++i)
+    all.push_back(made_comparison(std::to_string(i), {{"always", {always}}, {"never", {never}}}));
+  EXPECT_EQ(judged_by_name(all).at("always").standings[kRecognition], Standing::best);
+  EXPECT_EQ(judged_by_name(all).at("never").standings[kRecognition], Standing::worse);
+}
+
 TEST(Standings, RestOnRecordingsThatBothHave) {
   const std::string one = with_outages(kFrames, 40, 6), other = with_outages(kFrames, 41, 6, 22),
                     poor = with_outages(kFrames, 15, 11);
