@@ -9,8 +9,8 @@
 #include <string>
 
 #include "core/error.h"
-#include "eval/replay.h"
-#include "eval/yardsticks.h"
+#include "eval/replay/replay.h"
+#include "eval/replay/yardsticks.h"
 #include "sequences/open.h"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/random.h"
-#include "eval/scores.h"
+#include "eval/scores/scores.h"
 
 namespace {
 

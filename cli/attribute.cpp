@@ -7,7 +7,7 @@
 #include "cli/json_text.h"
 #include "cli/pooled_runs.h"
 #include "cli/verbs.h"
-#include "eval/attribution.h"
+#include "eval/scores/attribution.h"
 
 namespace relock {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/recording.h"
 #include "eval/compatibility/answers.h"
 #include "eval/compatibility/vot.h"
-#include "eval/replay.h"
+#include "eval/replay/replay.h"
 
 namespace relock {
 

@@ -10,7 +10,7 @@
 #include "core/compose.h"
 #include "core/error.h"
 #include "core/random.h"
-#include "eval/yardsticks.h"
+#include "eval/replay/yardsticks.h"
 
 namespace relock {
 namespace {

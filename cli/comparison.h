@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cli/runs/folder.h"
-#include "eval/scores.h"
+#include "eval/scores/scores.h"
 
 namespace relock {
 

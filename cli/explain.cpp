@@ -12,7 +12,7 @@
 #include "cli/table.h"
 #include "cli/verbs.h"
 #include "eval/loss_text.h"
-#include "eval/scores.h"
+#include "eval/scores/scores.h"
 #include "eval/timeline_text.h"
 
 namespace relock {

@@ -9,7 +9,7 @@
 #include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "core/error.h"
-#include "eval/blur_estimate.h"
+#include "eval/inspection/blur_estimate.h"
 #include "sequences/time_faults.h"
 
 namespace relock {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/runs/folder.h"
-#include "eval/paired.h"
+#include "eval/scores/paired.h"
 
 namespace relock {
 

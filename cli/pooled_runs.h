@@ -8,7 +8,7 @@
 #include "cli/json_text.h"
 #include "cli/runs/folder.h"
 #include "cli/verbs.h"
-#include "eval/evaluation.h"
+#include "eval/judgement/evaluation.h"
 
 namespace relock {
 

@@ -10,9 +10,9 @@
 #include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "core/error.h"
-#include "eval/appearance.h"
-#include "eval/blur_estimate.h"
-#include "eval/inspection.h"
+#include "eval/inspection/appearance.h"
+#include "eval/inspection/blur_estimate.h"
+#include "eval/inspection/inspection.h"
 #include "sequences/open.h"
 
 namespace relock {

@@ -5,7 +5,7 @@
 #include "cli/json_text.h"
 #include "cli/pooled_runs.h"
 #include "cli/verbs.h"
-#include "eval/tracking_survival.h"
+#include "eval/scores/tracking_survival.h"
 
 namespace relock {
 namespace {

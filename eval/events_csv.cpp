@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "core/csv.h"
-#include "eval/circumstances.h"
+#include "eval/judgement/circumstances.h"
 
 namespace relock {
 namespace {

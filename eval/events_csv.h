@@ -2,7 +2,7 @@
 
 #include <iosfwd>
 
-#include "eval/evaluation.h"
+#include "eval/judgement/evaluation.h"
 
 namespace relock {
 
@@ -20,7 +20,7 @@ namespace relock {
 //                  else locked or nothing
 //   begin_frame, first_lost_frame, declared_frame, end_frame
 //   slots, slots_recorded, slots_injected, slots_skipped, blur_px, displacement_d, border_px, tilt_deg,
-//   size_px        loss: eval/circumstances.h; empty where not known
+//   size_px        loss: eval/judgement/circumstances.h; empty where not known
 // Times are seconds from the first recorded frame.
 
 void write_events(std::ostream& out, const Recording& recording, const Trajectory& trajectory,

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "eval/scores.h"
+#include "eval/scores/scores.h"
 
 namespace relock {
 namespace {

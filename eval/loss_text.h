@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "eval/circumstances.h"
+#include "eval/judgement/circumstances.h"
 
 namespace relock {
 

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <optional>
 
-#include "eval/circumstances.h"
-#include "eval/localization.h"
+#include "eval/judgement/circumstances.h"
 #include "eval/loss_text.h"
-#include "eval/scores.h"
-#include "eval/vot_rules.h"
+#include "eval/replay/vot_rules.h"
+#include "eval/scores/localization.h"
+#include "eval/scores/scores.h"
 
 namespace relock {
 namespace {

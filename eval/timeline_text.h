@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "eval/evaluation.h"
+#include "eval/judgement/evaluation.h"
 
 namespace relock {
 

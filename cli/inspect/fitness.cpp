@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "cli/inspect/report.h"
-#include "eval/blur_estimate.h"
 #include "eval/definitions.h"
+#include "eval/inspection/blur_estimate.h"
 
 namespace relock {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "cli/inspect/report.h"
 #include "cli/json_text.h"
-#include "eval/blur_estimate.h"
+#include "eval/inspection/blur_estimate.h"
 
 namespace relock {
 namespace {

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "eval/inspection.h"
+#include "eval/inspection/inspection.h"
 #include "sequences/open.h"
 
 namespace relock {
 
-/// Blur estimates of a recording (eval/blur_estimate.h).
+/// Blur estimates of a recording (eval/inspection/blur_estimate.h).
 struct BlurReport {
   std::vector<BlurOfFrame> picture;               ///< of whole pictures
   std::vector<std::vector<BlurOfFrame>> targets;  ///< of each target where it is visible

@@ -7,8 +7,8 @@
 
 #include "cli/inspect/report.h"
 #include "cli/table.h"
-#include "eval/blur_estimate.h"
 #include "eval/definitions.h"
+#include "eval/inspection/blur_estimate.h"
 
 namespace relock {
 namespace {

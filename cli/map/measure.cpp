@@ -10,7 +10,7 @@
 #include "cli/runs/pool.h"
 #include "cli/terminal.h"
 #include "core/error.h"
-#include "eval/scores.h"
+#include "eval/scores/scores.h"
 #include "sequences/simulator/flight.h"
 
 namespace relock::maps {

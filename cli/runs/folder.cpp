@@ -20,7 +20,7 @@
 #include "cli/files.h"
 #include "core/csv.h"
 #include "core/error.h"
-#include "eval/answers_csv.h"
+#include "eval/replay/answers_csv.h"
 #include "eval/trajectory_csv.h"
 #include "sequences/open.h"
 

@@ -9,7 +9,7 @@
 
 #include "cli/runs/record.h"
 #include "core/recording.h"
-#include "eval/replay.h"
+#include "eval/replay/replay.h"
 
 namespace relock {
 

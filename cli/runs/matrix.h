@@ -11,7 +11,7 @@
 #include "cli/runs/plan.h"
 #include "cli/runs/record.h"
 #include "core/schedule.h"
-#include "eval/multistart.h"
+#include "eval/replay/multistart.h"
 #include "sequences/open.h"
 
 namespace relock {

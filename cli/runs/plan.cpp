@@ -8,7 +8,7 @@
 #include "cli/files.h"
 #include "core/error.h"
 #include "core/toml_table.h"
-#include "eval/answers_csv.h"
+#include "eval/replay/answers_csv.h"
 
 namespace relock {
 namespace {

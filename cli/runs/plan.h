@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/method_spec.h"
-#include "eval/replay.h"
+#include "eval/replay/replay.h"
 #include "sequences/open.h"
 
 namespace relock {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "eval/multistart.h"
-#include "eval/replay.h"
+#include "eval/replay/multistart.h"
+#include "eval/replay/replay.h"
 
 namespace relock {
 

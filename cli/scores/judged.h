@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/scores/pool.h"
-#include "eval/scores.h"
+#include "eval/scores/scores.h"
 #include "eval/statistics/interval.h"
 
 namespace relock {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cli/comparison.h"
-#include "eval/in_force.h"
+#include "eval/scores/in_force.h"
 
 namespace relock {
 

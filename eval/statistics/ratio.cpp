@@ -117,7 +117,7 @@ std::optional<Interval> quantile_interval(std::span<const std::vector<double>> v
   for (const auto& values : values_by_sequence) sorted.insert(sorted.end(), values.begin(), values.end());
   if (sorted.empty()) return {};
   std::sort(sorted.begin(), sorted.end());
-  // Between order statistics as `percentile` interpolates (eval/localization.h).
+  // Between order statistics as `percentile` interpolates (eval/scores/localization.h).
   const auto quantile = [&](double at) {
     const double position = std::clamp(at, 0.0, 1.0) * static_cast<double>(sorted.size() - 1);
     const auto below = static_cast<std::size_t>(position);

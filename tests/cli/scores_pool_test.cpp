@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "eval/multistart.h"
-#include "eval/scores.h"
+#include "eval/replay/multistart.h"
+#include "eval/scores/scores.h"
 #include "made_comparison.h"
 
 namespace relock {

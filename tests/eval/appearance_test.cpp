@@ -1,4 +1,4 @@
-#include "eval/appearance.h"
+#include "eval/inspection/appearance.h"
 
 #include <opencv2/core/mat.hpp>
 

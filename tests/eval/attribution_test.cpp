@@ -1,4 +1,4 @@
-#include "eval/attribution.h"
+#include "eval/scores/attribution.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "eval/blur_estimate.h"
+#include "eval/inspection/blur_estimate.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "eval/inspection.h"
+#include "eval/inspection/inspection.h"
 
 #include <gtest/gtest.h>
 

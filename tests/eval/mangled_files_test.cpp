@@ -1,6 +1,6 @@
 #include <sstream>
 
-#include "eval/answers_csv.h"
+#include "eval/replay/answers_csv.h"
 #include "eval/trajectory_csv.h"
 #include "tests/eval/random_timelines.h"
 #include "tests/mangled.h"

@@ -1,14 +1,14 @@
-#include "eval/multistart.h"
+#include "eval/replay/multistart.h"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
 #include "core/error.h"
-#include "eval/evaluation.h"
-#include "eval/replay.h"
+#include "eval/judgement/evaluation.h"
+#include "eval/replay/replay.h"
+#include "eval/replay/yardsticks.h"
 #include "eval/trajectory_csv.h"
-#include "eval/yardsticks.h"
 #include "tests/eval/made_flight.h"
 #include "tests/eval/random_timelines.h"
 

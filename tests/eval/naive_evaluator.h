@@ -1,7 +1,7 @@
 #pragma once
 
-#include "eval/evaluation.h"
-#include "eval/scores.h"
+#include "eval/judgement/evaluation.h"
+#include "eval/scores/scores.h"
 
 namespace relock::naive {
 

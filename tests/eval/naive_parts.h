@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "eval/scores.h"
+#include "eval/scores/scores.h"
 
 // What the parts of the naive evaluator tell each other.
 namespace relock::naive {

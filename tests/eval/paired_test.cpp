@@ -1,4 +1,4 @@
-#include "eval/paired.h"
+#include "eval/scores/paired.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/random.h"
-#include "eval/common_frames.h"
-#include "eval/scores.h"
+#include "eval/scores/common_frames.h"
+#include "eval/scores/scores.h"
 #include "tests/eval/made_flight.h"
 #include "tests/eval/random_timelines.h"
 

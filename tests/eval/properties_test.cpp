@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "core/random.h"
-#include "eval/scores.h"
-#include "eval/visible_time.h"
+#include "eval/judgement/visible_time.h"
+#include "eval/scores/scores.h"
 #include "tests/eval/random_timelines.h"
 
 namespace relock {

@@ -1,4 +1,4 @@
-#include "eval/real_time.h"
+#include "eval/replay/real_time.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 
 #include "core/error.h"
 #include "core/random.h"
-#include "eval/answers_csv.h"
-#include "eval/in_force.h"
-#include "eval/replay.h"
-#include "eval/yardsticks.h"
+#include "eval/replay/answers_csv.h"
+#include "eval/replay/replay.h"
+#include "eval/replay/yardsticks.h"
+#include "eval/scores/in_force.h"
 #include "tests/eval/made_flight.h"
 #include "tests/eval/random_timelines.h"
 

@@ -1,4 +1,4 @@
-#include "eval/replay.h"
+#include "eval/replay/replay.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 
 #include "core/error.h"
 #include "core/random.h"
-#include "eval/evaluation.h"
+#include "eval/judgement/evaluation.h"
+#include "eval/replay/yardsticks.h"
 #include "eval/trajectory_csv.h"
-#include "eval/yardsticks.h"
 #include "tests/eval/made_flight.h"
 #include "tests/eval/random_timelines.h"
 

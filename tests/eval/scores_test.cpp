@@ -1,6 +1,6 @@
 // Scores worked by hand: metrics.md section 6.
 
-#include "eval/scores.h"
+#include "eval/scores/scores.h"
 
 #include <gtest/gtest.h>
 

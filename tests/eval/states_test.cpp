@@ -1,4 +1,4 @@
-#include "eval/states.h"
+#include "eval/judgement/states.h"
 
 #include <gtest/gtest.h>
 

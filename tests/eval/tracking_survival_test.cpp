@@ -1,4 +1,4 @@
-#include "eval/tracking_survival.h"
+#include "eval/scores/tracking_survival.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
-#include "eval/vot_rules.h"
+#include "eval/replay/vot_rules.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "eval/evaluation.h"
-#include "eval/replay.h"
+#include "eval/judgement/evaluation.h"
+#include "eval/replay/replay.h"
+#include "eval/replay/yardsticks.h"
 #include "eval/timeline_text.h"
-#include "eval/yardsticks.h"
 #include "tests/eval/made_flight.h"
 
 namespace relock {

@@ -4,7 +4,7 @@
 
 #include "core/registry.h"
 #include "detectors/builtin.h"
-#include "eval/yardsticks.h"
+#include "eval/replay/yardsticks.h"
 #include "sequences/open.h"
 #include "trackers/builtin.h"
 

@@ -1,0 +1,76 @@
+#include "eval/scores/common_frames.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+
+namespace relock {
+namespace {
+
+void check_fit(const Recording& recording, const Trajectory& arm) {
+  if (arm.frames.size() == recording.frames() && arm.judged_from.size() == recording.targets.size()) return;
+  throw Error(fmt::format("an arm of {} frames and {} targets is not of {}, which has {} and {}",
+                          arm.frames.size(), arm.judged_from.size(), recording.name, recording.frames(),
+                          recording.targets.size()));
+}
+
+std::size_t first_reset(const Trajectory& arm) {
+  for (std::size_t frame = 0; frame < arm.frames.size(); ++frame)
+    for (const std::size_t target : arm.frames[frame].given)
+      if (arm.judged_from[target] && static_cast<FrameIndex>(frame) > *arm.judged_from[target]) return frame;
+  return arm.frames.size();
+}
+
+std::vector<bool> delivered_in_both(const Trajectory& a, const Trajectory& b, std::size_t frames) {
+  std::vector<bool> common(frames);
+  for (std::size_t frame = 0; frame < frames; ++frame)
+    common[frame] =
+        a.frames[frame].delivery == Delivery::delivered && b.frames[frame].delivery == Delivery::delivered;
+  return common;
+}
+
+/// T by the rule for recordings that state no rate; the recording's own where two frames are not there to tell.
+Duration period_of_common(const Recording& recording, const std::vector<bool>& common) {
+  std::vector<Time> captured;
+  for (std::size_t frame = 0; frame < common.size(); ++frame)
+    if (common[frame]) captured.push_back(recording.captured[frame]);
+  return captured.size() < 2 ? recording.period : nominal_period(captured);
+}
+
+Trajectory on_common(const Trajectory& arm, const std::vector<bool>& common) {
+  Trajectory kept = up_to(arm, common.size());
+  for (std::size_t frame = 0; frame < common.size(); ++frame)
+    if (!common[frame]) kept.frames[frame] = {.delivery = Delivery::dropped};
+  return kept;
+}
+
+}  // namespace
+
+std::size_t frames_before_reset(const Trajectory& without, const Trajectory& with) {
+  return std::min(first_reset(without), first_reset(with));
+}
+
+Trajectory up_to(Trajectory trajectory, std::size_t frames) {
+  trajectory.frames.resize(frames);
+  return trajectory;
+}
+
+CommonFrames common_frames(const Recording& recording, const Trajectory& without, const Trajectory& with) {
+  check_fit(recording, without);
+  check_fit(recording, with);
+  CommonFrames both;
+  const std::size_t comparable = frames_before_reset(without, with);
+  both.ends_at_reset = comparable < recording.frames();
+  both.common = delivered_in_both(without, with, comparable);
+  while (!both.common.empty() && !both.common.back())
+    both.common.pop_back();  // no time after the last of them
+  both.recording = up_to(recording, both.common.size());
+  both.recording.period = period_of_common(recording, both.common);
+  both.without = on_common(without, both.common);
+  both.with = on_common(with, both.common);
+  return both;
+}
+
+}  // namespace relock

@@ -1,0 +1,209 @@
+#include "eval/scores/paired.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <string>
+
+#include "eval/scores/common_frames.h"
+#include "eval/scores/contribution.h"
+#include "eval/scores/localization.h"
+#include "eval/statistics/ratio.h"
+
+namespace relock {
+namespace {
+
+constexpr std::size_t kRatios = 4;  // all scores but the error are a sum over a sum
+using Ratios = std::array<RatioSeries, kRatios>;
+
+RatioSeries& of(Ratios& ratios, CostScore score) { return ratios[static_cast<std::size_t>(score)]; }
+
+/// Both arms of one sequence, its seeds added up: for each recorded frame what it adds to every score.
+struct SequenceSums {
+  Ratios without, with;
+  struct Errors {
+    std::size_t frame;
+    double without_px, with_px, label_sigma_px;
+  };
+  std::vector<Errors> errors;  // of Hits in both arms
+};
+
+void lengthen(Ratios& ratios, std::size_t frames) {
+  for (RatioSeries& series : ratios) {
+    series.part.resize(std::max(series.part.size(), frames));
+    series.whole.resize(std::max(series.whole.size(), frames));
+  }
+}
+
+/// What one frame adds to the scores.
+void add_frame(const Contribution& frame, std::size_t at, Ratios& sums) {
+  const auto add = [&](CostScore score, double part, double whole) {
+    of(sums, score).part[at] += part;
+    of(sums, score).whole[at] += whole;
+  };
+  add(CostScore::recognition, static_cast<double>(frame.hits), static_cast<double>(frame.could_hit));
+  add(CostScore::locked_share, seconds(frame.locked), seconds(frame.visible));
+  add(CostScore::availability, seconds(frame.fresh), seconds(frame.visible));
+  add(CostScore::losses_per_minute, 0, seconds(frame.locked) / 60);
+}
+
+void add_arm(const Recording& recording, const Evaluation& evaluation, Ratios& sums) {
+  for (std::size_t t = 0; t < recording.targets.size(); ++t) {
+    const auto frames = contributions(recording, evaluation, t);
+    for (std::size_t frame = 0; frame < frames.size(); ++frame) add_frame(frames[frame], frame, sums);
+    for (const Loss& loss : evaluation.targets[t].losses)
+      of(sums, CostScore::losses_per_minute).part[static_cast<std::size_t>(loss.last_good)] += 1;
+  }
+}
+
+void add_errors(const CommonFrames& both, const Evaluation& without, const Evaluation& with,
+                SequenceSums& sums) {
+  for (std::size_t t = 0; t < both.recording.targets.size(); ++t) {
+    for (std::size_t frame = 0; frame < both.recording.frames(); ++frame) {
+      const Judgement &a = without.targets[t].judgements[frame], &b = with.targets[t].judgements[frame];
+      if (a.verdict == Verdict::Hit && b.verdict == Verdict::Hit)
+        sums.errors.push_back({frame, a.error_px, b.error_px, both.recording.truth_of(frame, t).sigma_px});
+    }
+  }
+}
+
+std::size_t count_losses(const Evaluation& evaluation) {
+  std::size_t count = 0;
+  for (const TargetTimeline& timeline : evaluation.targets) count += timeline.losses.size();
+  return count;
+}
+
+void add_pair(const Pair& pair, const Gate& gate, SequenceSums& sums, GapCost& cost) {
+  const CommonFrames both = common_frames(pair.recording, pair.without, pair.with);
+  const Evaluation without = evaluate(both.recording, both.without, gate);
+  const Evaluation with = evaluate(both.recording, both.with, gate);
+  lengthen(sums.without, both.recording.frames());
+  lengthen(sums.with, both.recording.frames());
+  add_arm(both.recording, without, sums.without);
+  add_arm(both.recording, with, sums.with);
+  add_errors(both, without, with, sums);
+  ++cost.pairs;
+  cost.common_frames += static_cast<std::size_t>(std::count(both.common.begin(), both.common.end(), true));
+  cost.ended_at_reset += both.ends_at_reset ? 1 : 0;
+  cost.losses_without += count_losses(without);
+  cost.losses_with += count_losses(with);
+}
+
+// All recorded frames
+
+void add_recorded_availability(const Recording& recording, const Trajectory& arm, const Gate& gate,
+                               RatioSeries& sum) {
+  const Evaluation evaluation = evaluate(recording, arm, gate);
+  Contribution all;
+  for (std::size_t t = 0; t < recording.targets.size(); ++t)
+    for (const Contribution& frame : contributions(recording, evaluation, t)) all += frame;
+  sum.part.push_back(seconds(all.fresh));
+  sum.whole.push_back(seconds(all.visible));
+}
+
+// Scores
+
+std::optional<double> value_of(std::span<const RatioSeries> sequences) {
+  double part = 0, whole = 0;
+  for (const RatioSeries& series : sequences) {
+    part = std::accumulate(series.part.begin(), series.part.end(), part);
+    whole = std::accumulate(series.whole.begin(), series.whole.end(), whole);
+  }
+  if (whole <= 0) return {};
+  return part / whole;
+}
+
+PairedScore paired_ratio(CostScore score, std::span<SequenceSums> sequences) {
+  std::vector<RatioSeries> without, with;
+  for (SequenceSums& sums : sequences) {
+    without.push_back(of(sums.without, score));
+    with.push_back(of(sums.with, score));
+  }
+  PairedScore paired{value_of(without), value_of(with), {}, {}};
+  if (!paired.without || !paired.with) return paired;
+  paired.difference = *paired.with - *paired.without;
+  paired.interval = difference_interval(with, without);
+  return paired;
+}
+
+double label_sigma(std::span<const SequenceSums> sequences) {
+  double squares = 0, count = 0;
+  for (const SequenceSums& sums : sequences) {
+    for (const auto& errors : sums.errors) {
+      squares += errors.label_sigma_px * errors.label_sigma_px;
+      ++count;
+    }
+  }
+  return count > 0 ? std::sqrt(squares / count) : 0;
+}
+
+/// What the errors of one sequence are, in order of frames: those of seeds side by side.
+std::vector<double> values(const SequenceSums& sums, double (*value)(const SequenceSums::Errors&)) {
+  auto errors = sums.errors;
+  std::stable_sort(errors.begin(), errors.end(),
+                   [](const auto& a, const auto& b) { return a.frame < b.frame; });
+  std::vector<double> all;
+  for (const auto& one : errors) all.push_back(value(one));
+  return all;
+}
+
+/// The median of a value over the errors of all sequences.
+std::optional<double> median(const std::vector<std::vector<double>>& by_sequence) {
+  std::vector<double> all;
+  for (const auto& one : by_sequence) all.insert(all.end(), one.begin(), one.end());
+  if (all.empty()) return {};
+  return percentile(all, 0.5);
+}
+
+PairedScore paired_error(std::span<const SequenceSums> sequences) {
+  std::vector<std::vector<double>> without, with, differences;
+  for (const SequenceSums& sums : sequences) {
+    without.push_back(values(sums, [](const auto& e) { return e.without_px; }));
+    with.push_back(values(sums, [](const auto& e) { return e.with_px; }));
+    differences.push_back(values(sums, [](const auto& e) { return e.with_px - e.without_px; }));
+  }
+  PairedScore paired{median(without), median(with), median(differences), {}};
+  if (paired.difference) paired.interval = quantile_interval(differences, 0.5);
+  return paired;
+}
+
+}  // namespace
+
+std::string_view to_string(CostScore score) {
+  constexpr std::array<std::string_view, kCostScores> names{"recognition", "locked share", "availability",
+                                                            "losses per minute", "error px"};
+  return names[static_cast<std::size_t>(score)];
+}
+
+int verdict_on(CostScore which, const PairedScore& score) {
+  if (!score.interval || (score.interval->low <= 0 && score.interval->high >= 0)) return 0;
+  const bool more = score.interval->low > 0;
+  const bool more_is_better = which < CostScore::losses_per_minute;
+  return more == more_is_better ? 1 : -1;
+}
+
+GapCost cost_of_gaps(std::span<const Pair> pairs, const Gate& gate) {
+  GapCost cost;
+  std::map<std::string, SequenceSums> by_name;
+  RatioSeries recorded_without, recorded_with;
+  for (const Pair& pair : pairs) {
+    add_pair(pair, gate, by_name[pair.recording.name], cost);
+    const std::size_t frames = frames_before_reset(pair.without, pair.with);
+    const Recording recorded = up_to(pair.recording, frames);
+    cost.frames += frames;
+    add_recorded_availability(recorded, up_to(pair.without, frames), gate, recorded_without);
+    add_recorded_availability(recorded, up_to(pair.with, frames), gate, recorded_with);
+  }
+  std::vector<SequenceSums> sequences;
+  for (auto& [name, sums] : by_name) sequences.push_back(std::move(sums));
+  for (std::size_t i = 0; i < kRatios; ++i)
+    cost.scores[i] = paired_ratio(static_cast<CostScore>(i), sequences);
+  cost.scores[kRatios] = paired_error(sequences);
+  cost.label_sigma_px = label_sigma(sequences);
+  cost.recorded_availability_without = value_of({&recorded_without, 1});
+  cost.recorded_availability_with = value_of({&recorded_with, 1});
+  return cost;
+}
+
+}  // namespace relock
