@@ -196,7 +196,8 @@ void check_recording(const StoredRun& run, const fs::path& truth) {
 
 /// Runs that were cut short end where the recording could not be read on: all of them are scored to there.
 void end_together(StoredComparison& comparison) {
-  std::size_t frames = comparison.recording.frames();
+  comparison.recorded_frames = comparison.recording.frames();
+  std::size_t frames = comparison.recorded_frames;
   for (const StoredRun& run : comparison.runs) frames = std::min(frames, run.trajectory.frames.size());
   comparison.recording = up_to(comparison.recording, frames);
   for (StoredRun& run : comparison.runs) run.trajectory.frames.resize(frames);

@@ -33,8 +33,9 @@ struct StoredRun {
 /// All runs on one recording with the same gaps and protocol: what may stand in one table.
 struct StoredComparison {
   std::filesystem::path folder;
-  Recording recording;          ///< as it was played
-  std::vector<StoredRun> runs;  ///< by name; yardsticks last
+  Recording recording;              ///< as it was played
+  std::vector<StoredRun> runs;      ///< by name; yardsticks last
+  std::size_t recorded_frames = 0;  ///< of the whole recording, where runs that were cut short end before
 };
 
 /// Keeps other programs from writing into a results folder, for as long as it lives.

@@ -185,11 +185,12 @@ void ScorePool::add_frames(const ScoredComparison& compared, std::size_t run,
     for (const Contribution& frame : frames) all.front() += frame;
     return;
   }
-  all.resize(std::max(all.size(), frames.size()));
+  const std::size_t recorded = std::max(compared.stored.recorded_frames, frames.size());
+  all.resize(std::max(all.size(), recorded));
   const auto& anchor = compared.stored.runs[run].record.anchor;
   const bool backward = anchor && anchor->direction == Direction::backward;
   for (std::size_t frame = 0; frame < frames.size(); ++frame)
-    all[backward ? frames.size() - 1 - frame : frame] += frames[frame];
+    all[backward ? recorded - 1 - frame : frame] += frames[frame];
 }
 
 std::vector<ScoreTable> ScorePool::tables() && {

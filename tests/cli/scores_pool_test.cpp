@@ -86,6 +86,16 @@ TEST(PooledScores, OfABackwardRunAreLaidBackToFront) {
   }
 }
 
+TEST(PooledScores, OfABackwardRunThatWasCutShortBeginAtTheEndOfTheRecordingAllTheSame) {
+  const MadeConditions conditions{.protocol = Protocol::multistart, .anchor = Anchor{9, Direction::backward}};
+  auto cut = made_comparison("a", {{"mine", {"HHMH"}}}, conditions);
+  cut.recorded_frames = 10;
+  const auto frames = pooled_tables({cut})[0].methods[0].frames.at("a");
+  std::string hits;
+  for (const Contribution& frame : frames) hits += frame.hits > 0 ? 'H' : frame.could_hit > 0 ? 'M' : '.';
+  EXPECT_EQ(hits, "......HMHH");
+}
+
 TEST(Tables, NeverHoldRunsOfOtherConditions) {
   std::vector<StoredComparison> all;
   for (const MadeConditions& conditions :
