@@ -6,6 +6,7 @@
 
 #include "cli/comparison.h"
 #include "cli/readable.h"
+#include "cli/runs/copies.h"
 
 namespace relock {
 namespace {
@@ -46,9 +47,11 @@ Json group_json(const PooledRuns& group, Json methods) {
 std::vector<PooledRuns> pooled(const std::vector<StoredComparison>& all,
                                const std::optional<std::string>& asked) {
   std::vector<PooledRuns> groups;
+  KnownRuns known;
   for (const StoredComparison& comparison : all) {
     const Gate gate = gate_of(comparison, asked);
     for (const StoredRun& run : comparison.runs) {
+      if (!known.first(run)) continue;
       PooledRuns& group = group_of(groups, run.record, gate);
       method_of(group.methods, run.record)
           .runs.push_back({&comparison, &run, evaluate(comparison.recording, run.trajectory, gate)});

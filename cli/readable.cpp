@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "cli/runs/copies.h"
 #include "core/error.h"
 
 namespace relock {
@@ -17,9 +18,16 @@ int tell_left_out(const std::vector<std::string>& sentences) {
 int with_readable(const std::vector<FoundComparison>& found, const UseResults& use) {
   std::vector<StoredComparison> results;
   std::vector<std::string> unreadable;
+  KnownRecordings known;
   for (const FoundComparison& comparison : found) {
     auto stored = read_comparison(comparison, [&](const std::string& why) { unreadable.push_back(why); });
-    if (stored) results.push_back(*std::move(stored));
+    if (!stored) continue;
+    try {
+      known.check(*stored);
+      results.push_back(*std::move(stored));
+    } catch (const Error& fault) {
+      unreadable.push_back(fault.what());
+    }
   }
   try {
     if (!results.empty()) use(std::move(results));

@@ -34,6 +34,7 @@ struct Read {
   std::vector<ScorePool> pools;
   std::vector<std::string> ends;  ///< of recordings that could not be read on
   std::vector<std::string> unreadable;
+  KnownRecordings known;
 };
 
 /// A run that is found below several folders counts once.
@@ -70,6 +71,7 @@ void read_one(const FoundComparison& found, const ScoreArguments& arguments, Rea
   auto stored = read_comparison(found, note);
   if (!stored) return;
   try {
+    read.known.check(*stored);
     const Gate used = gate_of(*stored, arguments.gate);
     const ScoredComparison compared = scored(*std::move(stored), used);
     for (std::size_t i = 0; i < compared.stored.runs.size(); ++i) store_scores(compared, i);
@@ -107,22 +109,28 @@ void keep_targets_of_single_recordings(std::vector<JudgedTable>& tables) {
 
 // --- What a person reads.
 
-/// What qualifies the scores of one method.
-void print_remarks(const ScoreTable& table, std::size_t i, const Scores& s) {
+/// What qualifies the scores of one method, in sentences.
+std::vector<std::string> remarks(const ScoreTable& table, std::size_t i, const Scores& s) {
   const MethodPool& method = table.methods[i];
+  std::vector<std::string> all;
   std::size_t most = 0;
   for (const MethodPool& other : table.methods) most = std::max(most, other.scored_on.size());
   if (!method.failures.empty())
-    fmt::print("  {} failed on frame {}: {}; {} visible frames after it count as Misses\n", method.method,
-               method.failures[0].frame, method.failures[0].what, s.failed);
-  if (s.spurious > 0) fmt::print("  {}: {} spurious sightings\n", method.method, s.spurious);
-  if (s.uncoded > 0) fmt::print("  {}: {} Hits without a code\n", method.method, s.uncoded);
+    all.push_back(fmt::format("{} failed on frame {}: {}; {} visible frames after it count as Misses",
+                              method.method, method.failures[0].frame, method.failures[0].what, s.failed));
+  if (s.spurious > 0) all.push_back(fmt::format("{}: {} spurious sightings", method.method, s.spurious));
+  if (s.uncoded > 0) all.push_back(fmt::format("{}: {} Hits without a code", method.method, s.uncoded));
   if (!method.deterministic)
-    fmt::print("  {} answers differently from run to run: its scores are of {}\n", method.method,
-               method.runs == 1 ? "one run" : fmt::format("{} runs", method.runs));
-  if (method.scored_on.size() < most)
-    fmt::print("  {} is scored on {} of {} targets: compare it with others in --by target or recording\n",
-               method.method, method.scored_on.size(), most);
+    all.push_back(fmt::format("{} answers differently from run to run: its scores are of {}", method.method,
+                              method.runs == 1 ? "one run" : fmt::format("{} runs", method.runs)));
+  if (method.targets() < table.targets())
+    all.push_back(
+        fmt::format("{} is scored on {} of {} targets: compare it with others in --by target or recording",
+                    method.method, method.targets(), table.targets()));
+  else if (method.scored_on.size() < most)
+    all.push_back(fmt::format("{} was shown fewer patterns of frames than others (fewer seeds or starts)",
+                              method.method));
+  return all;
 }
 
 /// Whether anything could be hit there.
@@ -153,9 +161,9 @@ class Printer {
       subtitle("what it cost, all targets together");
       fmt::print("{}", cost_table(pooled->table).in(format_));
     }
-    if (format_ == TableFormat::text)
-      for (std::size_t i = 0; i < pooled->methods.size(); ++i)
-        print_remarks(pooled->table, i, pooled->methods[i].scores);
+    for (std::size_t i = 0; i < pooled->methods.size(); ++i)
+      for (const std::string& remark : remarks(pooled->table, i, pooled->methods[i].scores))
+        print_remark(remark);
     return end;
   }
 
@@ -163,13 +171,23 @@ class Printer {
   static std::ptrdiff_t offset(std::size_t i) { return static_cast<std::ptrdiff_t>(i); }
 
   void title(const ScoreTable& table) {
-    const std::string text = heading(table);
+    std::string text = heading(table);
+    std::replace(text.begin(), text.end(), '\n', ' ');
     fmt::print("{}{}{}\n", first_ ? "" : "\n",
                format_ == TableFormat::markdown ? "## "
                : format_ == TableFormat::latex  ? "% "
                                                 : "",
                text);
     first_ = false;
+  }
+
+  void print_remark(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    fmt::print("{}{}\n",
+               format_ == TableFormat::latex      ? "% "
+               : format_ == TableFormat::markdown ? "- "
+                                                  : "  ",
+               text);
   }
 
   void print_groups(const std::vector<JudgedTable>& all, std::size_t begin, std::size_t end) {
@@ -223,6 +241,7 @@ void print_tables(const std::vector<JudgedTable>& tables, TableFormat format, co
 }  // namespace
 
 int score(const ScoreArguments& arguments) {
+  if (arguments.gate) parse_gate(*arguments.gate);
   const auto found = found_below(arguments.folders);
   const std::size_t recordings = recordings_in(found);
   Read read;

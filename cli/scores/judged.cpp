@@ -26,14 +26,16 @@ std::vector<RatioSeries> series_of(const ShareScore& score, const MethodPool& me
   return all;
 }
 
-std::set<std::string> targets_on(const std::string& recording, const MethodPool& method) {
-  std::set<std::string> targets;
-  for (const auto& [of, target] : method.scored_on)
-    if (of == recording) targets.insert(target);
-  return targets;
+/// Targets, and which frames were shown.
+std::set<std::pair<std::string, std::string>> scored_on(const std::string& recording,
+                                                        const MethodPool& method) {
+  std::set<std::pair<std::string, std::string>> all;
+  for (const auto& [of, target, shown] : method.scored_on)
+    if (of == recording) all.insert({target, shown});
+  return all;
 }
 
-/// Of the recordings on which both were scored on the same targets.
+/// Of the recordings on which both were scored on the same targets and were shown the same frames.
 struct Pair {
   std::vector<RatioSeries> a, b;
 };
@@ -42,7 +44,7 @@ Pair paired(const ShareScore& score, const MethodPool& a, const MethodPool& b) {
   for (const auto& [recording, frames] : a.frames) {
     const auto other = b.frames.find(recording);
     if (other == b.frames.end() || other->second.size() != frames.size()) continue;
-    if (targets_on(recording, a) != targets_on(recording, b)) continue;
+    if (scored_on(recording, a) != scored_on(recording, b)) continue;
     both.a.push_back(series_of(score, frames));
     both.b.push_back(series_of(score, other->second));
   }
@@ -55,7 +57,7 @@ std::optional<Interval> losses_per_minute(const Scores& scores) {
 }
 
 std::optional<Interval> median_error(const MethodPool& method) {
-  std::vector<std::vector<double>> errors;
+  std::vector<std::vector<FramedValue>> errors;
   for (const auto& [recording, of_it] : method.errors_px) errors.push_back(of_it);
   return quantile_interval(errors, 0.5);
 }
@@ -88,7 +90,7 @@ bool better_on_all(const Pair& both) {
 Standing standing_to(const ShareScore& score, const MethodPool& best, const MethodPool& method) {
   const Pair both = paired(score, best, method);
   if (const auto difference = difference_interval(both.a, both.b))
-    return difference->low <= 0 && difference->high >= 0 ? Standing::tied : Standing::worse;
+    return difference->low > 0 ? Standing::worse : difference->high >= 0 ? Standing::tied : Standing::untold;
   if (better_on_all(both)) return Standing::worse;
   return Standing::untold;
 }

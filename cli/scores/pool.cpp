@@ -1,6 +1,7 @@
 #include "cli/scores/pool.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -60,6 +61,19 @@ std::vector<RealTimeScores> real_time_scores(const ScoredComparison& compared, s
   return score_real_time(compared.stored.recording, stored.trajectory, stored.answers, compared.gate);
 }
 
+/// Which frames were shown, and from where: what makes two runs on a recording comparable frame by frame.
+std::string shown(const RunRecord& record) {
+  return fmt::format("{} {}", record.anchor ? to_string(*record.anchor) : "", fmt::join(record.dropped, ","));
+}
+
+/// The place of a frame in the recording, whichever way it was played.
+std::size_t recorded_frame(const ScoredComparison& compared, std::size_t run, std::size_t frame) {
+  const StoredComparison& stored = compared.stored;
+  const auto& anchor = stored.runs[run].record.anchor;
+  if (!anchor || anchor->direction == Direction::forward) return frame;
+  return std::max(stored.recorded_frames, stored.recording.frames()) - 1 - frame;
+}
+
 bool asked(const ScoredComparison& compared, std::size_t run, std::size_t target) {
   return compared.stored.runs[run].trajectory.judged_from[target].has_value();
 }
@@ -78,15 +92,23 @@ Grouping parse_grouping(std::string_view text) {
   throw Error(fmt::format("--by {} is none; there are recording, target, code, blur and gap", text));
 }
 
+std::size_t MethodPool::targets() const {
+  std::set<std::pair<std::string, std::string>> all;
+  for (const auto& [recording, target, shown] : scored_on) all.insert({recording, target});
+  return all.size();
+}
+
 std::size_t ScoreTable::targets() const {
   std::set<std::pair<std::string, std::string>> all;
-  for (const MethodPool& method : methods) all.insert(method.scored_on.begin(), method.scored_on.end());
+  for (const MethodPool& method : methods)
+    for (const auto& [recording, target, shown] : method.scored_on) all.insert({recording, target});
   return all.size();
 }
 
 void ScorePool::add(const ScoredComparison& compared) {
   const auto parts = parts_of(compared.stored.recording);
   for (std::size_t run = 0; run < compared.stored.runs.size(); ++run) {
+    if (!known_.first(compared.stored.runs[run])) continue;
     MethodPool* pool = nullptr;
     const auto real_time = real_time_scores(compared, run);
     for (const Part& part : parts) {
@@ -148,7 +170,8 @@ void ScorePool::add_part(const ScoredComparison& compared, std::size_t run, cons
                          MethodPool& pool) const {
   const Recording& recording = compared.stored.recording;
   const TargetTally& one = compared.tallies[run][part.target];
-  pool.scored_on.insert({recording.name, recording.targets[part.target].id});
+  pool.scored_on.insert(
+      {recording.name, recording.targets[part.target].id, shown(compared.stored.runs[run].record)});
   if (part.bin) {
     const auto bins = grouping_ == Grouping::blur
                           ? blur_bins(recording, part.target)
@@ -159,8 +182,9 @@ void ScorePool::add_part(const ScoredComparison& compared, std::size_t run, cons
     return;
   }
   pool.tally += one.tally;
-  std::vector<double>& errors = pool.errors_px[recording.name];
-  for (const Fix& fix : one.tally.fixes) errors.push_back(norm(fix.error_px));
+  std::vector<FramedValue>& errors = pool.errors_px[recording.name];
+  for (const Fix& fix : one.tally.fixes)
+    errors.push_back({recorded_frame(compared, run, fix.frame), norm(fix.error_px)});
   const std::vector<Fix>& common = compared.common[run][part.target];
   pool.common.insert(pool.common.end(), common.begin(), common.end());
   add_frames(compared, run, one.frames, pool);
@@ -180,17 +204,14 @@ void ScorePool::add_what_is_of_all_targets(const ScoredComparison& compared, std
 void ScorePool::add_frames(const ScoredComparison& compared, std::size_t run,
                            const std::vector<Contribution>& frames, MethodPool& pool) const {
   std::vector<Contribution>& all = pool.frames[compared.stored.recording.name];
-  if (recordings_ >= kRecordingsToResample) {
+  if (grouping_ == Grouping::none && recordings_ >= kRecordingsToResample) {
     all.resize(1);
     for (const Contribution& frame : frames) all.front() += frame;
     return;
   }
-  const std::size_t recorded = std::max(compared.stored.recorded_frames, frames.size());
-  all.resize(std::max(all.size(), recorded));
-  const auto& anchor = compared.stored.runs[run].record.anchor;
-  const bool backward = anchor && anchor->direction == Direction::backward;
+  all.resize(std::max(all.size(), std::max(compared.stored.recorded_frames, frames.size())));
   for (std::size_t frame = 0; frame < frames.size(); ++frame)
-    all[backward ? recorded - 1 - frame : frame] += frames[frame];
+    all[recorded_frame(compared, run, frame)] += frames[frame];
 }
 
 std::vector<ScoreTable> ScorePool::tables() && {

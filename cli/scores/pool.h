@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "cli/comparison.h"
+#include "cli/runs/copies.h"
 #include "eval/scores/in_force.h"
+#include "eval/statistics/ratio.h"
 
 namespace relock {
 
@@ -31,9 +33,12 @@ struct MethodPool {
   std::vector<Fix> common;       ///< Hits common to all methods asked about the target, yardsticks apart
   /// What each frame of each recording added, over all runs on it: one element where frames are not kept apart.
   std::map<std::string, std::vector<Contribution>> frames;
-  std::map<std::string, std::vector<double>> errors_px;     ///< of the Hits on each recording, in order
-  std::set<std::pair<std::string, std::string>> scored_on;  ///< recording and target
-  std::vector<Failure> failures;                            ///< the first of each run that failed
+  std::map<std::string, std::vector<FramedValue>> errors_px;  ///< of the Hits on each recording
+  /// Recording, target, and which of its frames were shown from where: the same for seeds that drop the same.
+  std::set<std::tuple<std::string, std::string, std::string>> scored_on;
+  /// On how many recordings' targets.
+  std::size_t targets() const;
+  std::vector<Failure> failures;  ///< the first of each run that failed
 };
 
 /// What the runs of one table have in common.
@@ -91,6 +96,7 @@ class ScorePool {
 
   Grouping grouping_;
   std::size_t recordings_;
+  KnownRuns known_;
   /// By conditions, order of the group, and group.
   std::map<std::tuple<TableConditions, std::size_t, std::string>, ScoreTable> tables_;
 };

@@ -138,26 +138,25 @@ double label_sigma(std::span<const SequenceSums> sequences) {
   return count > 0 ? std::sqrt(squares / count) : 0;
 }
 
-/// What the errors of one sequence are, in order of frames: those of seeds side by side.
-std::vector<double> values(const SequenceSums& sums, double (*value)(const SequenceSums::Errors&)) {
-  auto errors = sums.errors;
-  std::stable_sort(errors.begin(), errors.end(),
-                   [](const auto& a, const auto& b) { return a.frame < b.frame; });
-  std::vector<double> all;
-  for (const auto& one : errors) all.push_back(value(one));
+using ByFrame = std::vector<FramedValue>;
+
+ByFrame values(const SequenceSums& sums, double (*value)(const SequenceSums::Errors&)) {
+  ByFrame all;
+  for (const auto& one : sums.errors) all.push_back({one.frame, value(one)});
   return all;
 }
 
 /// The median of a value over the errors of all sequences.
-std::optional<double> median(const std::vector<std::vector<double>>& by_sequence) {
+std::optional<double> median(const std::vector<ByFrame>& by_sequence) {
   std::vector<double> all;
-  for (const auto& one : by_sequence) all.insert(all.end(), one.begin(), one.end());
+  for (const ByFrame& sequence : by_sequence)
+    for (const FramedValue& one : sequence) all.push_back(one.value);
   if (all.empty()) return {};
   return percentile(all, 0.5);
 }
 
 PairedScore paired_error(std::span<const SequenceSums> sequences) {
-  std::vector<std::vector<double>> without, with, differences;
+  std::vector<ByFrame> without, with, differences;
   for (const SequenceSums& sums : sequences) {
     without.push_back(values(sums, [](const auto& e) { return e.without_px; }));
     with.push_back(values(sums, [](const auto& e) { return e.with_px; }));

@@ -111,10 +111,31 @@ std::optional<Interval> difference_interval(std::span<const RatioSeries> a, std:
   return Interval{value - reach.down, value + reach.up};
 }
 
-std::optional<Interval> quantile_interval(std::span<const std::vector<double>> values_by_sequence,
+namespace {
+
+/// Of each frame that has values, in order, how many of them are at most `limit`.
+RatioSeries at_most(double limit, std::vector<FramedValue> values) {
+  std::stable_sort(values.begin(), values.end(),
+                   [](const FramedValue& a, const FramedValue& b) { return a.frame < b.frame; });
+  RatioSeries series;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i == 0 || values[i].frame != values[i - 1].frame) {
+      series.part.push_back(0);
+      series.whole.push_back(0);
+    }
+    series.part.back() += values[i].value <= limit ? 1 : 0;
+    series.whole.back() += 1;
+  }
+  return series;
+}
+
+}  // namespace
+
+std::optional<Interval> quantile_interval(std::span<const std::vector<FramedValue>> values_by_sequence,
                                           double share) {
   std::vector<double> sorted;
-  for (const auto& values : values_by_sequence) sorted.insert(sorted.end(), values.begin(), values.end());
+  for (const auto& values : values_by_sequence)
+    for (const FramedValue& value : values) sorted.push_back(value.value);
   if (sorted.empty()) return {};
   std::sort(sorted.begin(), sorted.end());
   // Between order statistics as `percentile` interpolates (eval/scores/localization.h).
@@ -125,13 +146,9 @@ std::optional<Interval> quantile_interval(std::span<const std::vector<double>> v
     return sorted[below] + (position - static_cast<double>(below)) * (sorted[above] - sorted[below]);
   };
   const double estimate = quantile(share);
-  std::vector<RatioSeries> at_most;
-  for (const auto& values : values_by_sequence) {
-    RatioSeries& s = at_most.emplace_back();
-    for (const double v : values) s.part.push_back(v <= estimate ? 1 : 0);
-    s.whole.assign(values.size(), 1);
-  }
-  const auto shares = ratio_interval(at_most);
+  std::vector<RatioSeries> all;
+  for (const auto& values : values_by_sequence) all.push_back(at_most(estimate, values));
+  const auto shares = ratio_interval(all);
   if (!shares) return {};
   return Interval{quantile(shares->low), quantile(shares->high)};
 }

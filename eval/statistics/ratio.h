@@ -29,10 +29,17 @@ std::optional<Interval> ratio_interval(std::span<const RatioSeries> sequences);
 /// cancels. As many sequences in both, of the same lengths.
 std::optional<Interval> difference_interval(std::span<const RatioSeries> a, std::span<const RatioSeries> b);
 
+/// A value at a place in its sequence.
+struct FramedValue {
+  std::size_t frame = 0;
+  double value = 0;
+};
+
 /// 95 % interval of the quantile at `share` in (0, 1) of values that depend on their neighbours: of the share
-/// of values at or below it, mapped back through the values (Woodruff 1952). Nothing where that share's
+/// of values at or below it, mapped back through the values (Woodruff 1952). Several values of one frame, of
+/// repetitions or of several targets, count together: they are no further frames. Nothing where that share's
 /// interval cannot be told.
-std::optional<Interval> quantile_interval(std::span<const std::vector<double>> values_by_sequence,
+std::optional<Interval> quantile_interval(std::span<const std::vector<FramedValue>> values_by_sequence,
                                           double share);
 
 }  // namespace relock

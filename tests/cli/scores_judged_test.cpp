@@ -62,6 +62,17 @@ TEST(Standings, AreUntoldByOneRecordingWithoutOutagesAndWorseWhenEachOfTwelveSay
   EXPECT_EQ(judged_by_name(all).at("never").standings[kRecognition], Standing::worse);
 }
 
+TEST(Standings, CallNobodyWorseWhoIsBetterWhereverBothWere) {
+  std::vector<StoredComparison> all;
+  for (std::size_t i = 0; i < 10; ++i)
+    all.push_back(made_comparison(std::to_string(i), {{"elsewhere", {with_outages(kFrames, 40 + i, 4)}},
+                                                      {"everywhere", {with_outages(kFrames, 60 + i, 2)}}}));
+  all.push_back(made_comparison("hard", {{"everywhere", {std::string(kFrames, 'M')}}}));
+  const auto methods = judged_by_name(all);
+  ASSERT_EQ(methods.at("elsewhere").standings[kRecognition], Standing::best);
+  EXPECT_EQ(methods.at("everywhere").standings[kRecognition], Standing::untold);
+}
+
 TEST(Standings, RestOnRecordingsThatBothHave) {
   const std::string one = with_outages(kFrames, 40, 6), other = with_outages(kFrames, 41, 6, 22),
                     poor = with_outages(kFrames, 15, 11);

@@ -96,6 +96,23 @@ TEST(PooledScores, OfABackwardRunThatWasCutShortBeginAtTheEndOfTheRecordingAllTh
   EXPECT_EQ(hits, "......HMHH");
 }
 
+TEST(PooledScores, CountACopyOfARunOnce) {
+  const auto once = made_comparison("a", {{"mine", {kFirst}}}, {.seed = 1}),
+             again = made_comparison("a", {{"mine", {kFirst}}}, {.seed = 2});
+  const auto alone = pooled_tables({once}), both = pooled_tables({once, again});
+  EXPECT_EQ(both[0].methods[0].runs, 1u);
+  EXPECT_EQ(both[0].methods[0].tally.frames, alone[0].methods[0].tally.frames);
+}
+
+TEST(KnownRecordings, RefuseAnotherOneOfTheSameName) {
+  auto one = made_comparison("a", {{"mine", {kFirst}}}), other = one;
+  other.runs[0].record.fingerprint = "another";
+  KnownRecordings known;
+  known.check(one);
+  known.check(one);
+  EXPECT_THROW(known.check(other), Error);
+}
+
 TEST(Tables, NeverHoldRunsOfOtherConditions) {
   std::vector<StoredComparison> all;
   for (const MadeConditions& conditions :

@@ -92,6 +92,26 @@ TEST(RatioInterval, CoversAnAvailability) {
   EXPECT_COVERS(coverage);
 }
 
+std::vector<FramedValue> framed(const std::vector<double>& values) {
+  std::vector<FramedValue> all;
+  for (std::size_t k = 0; k < values.size(); ++k) all.push_back({k, values[k]});
+  return all;
+}
+
+TEST(QuantileInterval, IsNotNarrowedByCopiesOfTheSameFrames) {
+  Random random(3);
+  std::vector<double> errors;
+  double wander = random.normal();
+  for (int i = 0; i < 1000; ++i) errors.push_back(std::exp(wander = 0.9 * wander + 0.4 * random.normal()));
+  std::vector<FramedValue> once = framed(errors), thrice = once;
+  for (int copy = 0; copy < 2; ++copy) thrice.insert(thrice.end(), once.begin(), once.end());
+  const auto one = quantile_interval(std::vector<std::vector<FramedValue>>{once}, 0.5),
+             three = quantile_interval(std::vector<std::vector<FramedValue>>{thrice}, 0.5);
+  ASSERT_TRUE(one && three);
+  EXPECT_NEAR(three->low, one->low, 0.01 * one->low);
+  EXPECT_NEAR(three->high, one->high, 0.01 * one->high);
+}
+
 TEST(QuantileInterval, CoversTheMedianOfErrorsThatWander) {
   Coverage coverage;
   for (std::uint64_t seed = 0; seed < kRepetitions; ++seed) {
@@ -102,7 +122,7 @@ TEST(QuantileInterval, CoversTheMedianOfErrorsThatWander) {
       wander = 0.9 * wander + std::sqrt(1 - 0.81) * random.normal();
       errors.push_back(std::exp(wander));
     }
-    coverage.add(quantile_interval(std::vector<std::vector<double>>{errors}, 0.5), 1);
+    coverage.add(quantile_interval(std::vector<std::vector<FramedValue>>{framed(errors)}, 0.5), 1);
   }
   EXPECT_COVERS(coverage);
 }
