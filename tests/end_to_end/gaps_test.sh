@@ -62,6 +62,9 @@ expect "arms in two folders: every method has its cost" "kcf medianflow" \
 "$relock" run --sequence recordings/klahaag --methods still --gaps paper --paired --real-time latest \
   --latency 'constant(70ms)' --out "$work/slow" >"$work/said"
 expect_contains "in real time frames come that are not looked at" "recorded frames were looked at in both arms" "$(cat "$work/said")"
+"$relock" explain "$work/slow" --json >"$work/said"
+expect_contains "explain says so, too" '"real_time": "latest"' "$(cat "$work/said")"
+expect_contains "and the latency" '"latency": "constant(70ms)"' "$(cat "$work/said")"
 
 sed -i '9s/^[0-9]*,/77,/' "$work/a/klahaag/recorded-s2-once/kcf/trajectory.csv"
 "$relock" cost "$work/a" >"$work/cost" 2>"$work/said"
