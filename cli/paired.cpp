@@ -29,11 +29,9 @@ const StoredRun* run_of(const StoredComparison& comparison, const std::string& m
 
 /// Made under the same conditions but for the gaps.
 bool alike(const StoredComparison& a, const StoredComparison& b) {
-  const auto key = [](const StoredComparison& c) {
-    const RunRecord& r = conditions_of(c);
-    return std::tuple(r.recording, r.fingerprint, r.showing(), r.gate, r.seed);
-  };
-  return key(a) == key(b);
+  const RunRecord &one = conditions_of(a), &other = conditions_of(b);
+  return one.seed == other.seed && one.recording == other.recording && one.fingerprint == other.fingerprint &&
+         one.gate == other.gate && one.showing() == other.showing();
 }
 
 /// OUT of OUT/RECORDING/GAPS-PROTOCOL.
