@@ -39,8 +39,10 @@ std::string_view name(Effect::Covariate covariate) {
   switch (covariate) {
     case Effect::Covariate::injected_slots:
       return "injected_slots";
-    case Effect::Covariate::other_slots:
-      return "other_slots";
+    case Effect::Covariate::recorded_slots:
+      return "recorded_slots";
+    case Effect::Covariate::skipped_slots:
+      return "skipped_slots";
     case Effect::Covariate::blur:
       return "blur_tenths_d";
     case Effect::Covariate::displacement:
@@ -61,7 +63,8 @@ Json method_json(const PooledRuns& group, const PooledMethod& method) {
           {"sequences", found.sequences},
           {"transitions", found.transitions},
           {"losses", found.losses},
-          {"too_few", found.too_few != TooFew::none},
+          {"too_few", found.too_few == TooFew::losses || found.too_few == TooFew::variation},
+          {"converged", found.too_few != TooFew::not_converged},
           {"effects", effects}};
 }
 

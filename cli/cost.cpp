@@ -9,11 +9,11 @@
 namespace relock {
 
 int cost(const ResultsArguments& arguments) {
-  return with_readable(find_results(arguments.folder), [&](std::vector<StoredComparison> results) {
+  return with_readable(find_results(arguments.folder), [&](const std::vector<StoredComparison>& results) {
     if (arguments.json) {
-      fmt::print("{}", cost_json(gap_experiments(std::move(results), arguments.gate)));
+      fmt::print("{}", cost_json(gap_experiments(results, arguments.gate)));
     } else {
-      print_cost_of_gaps(std::move(results), arguments.gate);
+      print_cost_of_gaps(results, arguments.gate);
     }
   });
 }

@@ -4,57 +4,22 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 #include <tuple>
 
 #include "cli/comparison.h"
 #include "cli/json_text.h"
 #include "cli/table.h"
 #include "core/error.h"
+#include "eval/scores/common_frames.h"
 
 namespace relock {
 namespace {
 
-constexpr std::string_view kFootnote = R"(
-  Differences are with - without, on the frames that came in both arms; worse, better: the interval holds no zero.
-  error px: medians over Hits of both arms on the same frame, and the median of their differences there.
-  available, all frames: on every recorded frame, so that it shows how old answers grow over the gaps.
-)";
-
 const RunRecord& conditions_of(const StoredComparison& comparison) { return comparison.runs.front().record; }
 
 bool as_recorded(const StoredComparison& comparison) { return conditions_of(comparison).gaps == "none"; }
-
-/// The two arms of a pair: the comparisons that they are in.
-struct Arms {
-  StoredComparison* without;
-  StoredComparison* with;
-};
-
-/// Where among `all` the arm as recorded is.
-std::optional<std::size_t> arm_without(const std::vector<StoredComparison>& all,
-                                       const StoredComparison& with) {
-  const auto key = [](const StoredComparison& c) {
-    const RunRecord& r = conditions_of(c);
-    return std::tuple(r.recording, r.fingerprint, r.showing(), r.gate, r.seed);
-  };
-  const auto found = std::find_if(all.begin(), all.end(), [&](const StoredComparison& other) {
-    return as_recorded(other) && key(other) == key(with);
-  });
-  if (found == all.end()) return {};
-  return static_cast<std::size_t>(found - all.begin());
-}
-
-/// Arms of runs that were cut short are compared as far as both go.
-void cut_to(StoredComparison& comparison, std::size_t frames) {
-  comparison.recording = up_to(std::move(comparison.recording), frames);
-  for (StoredRun& run : comparison.runs) run.trajectory.frames.resize(frames);
-}
-
-void make_equally_long(const Arms& arms) {
-  const std::size_t frames = std::min(arms.without->recording.frames(), arms.with->recording.frames());
-  cut_to(*arms.without, frames);
-  cut_to(*arms.with, frames);
-}
 
 const StoredRun* run_of(const StoredComparison& comparison, const std::string& method) {
   const auto found = std::find_if(comparison.runs.begin(), comparison.runs.end(),
@@ -62,14 +27,60 @@ const StoredRun* run_of(const StoredComparison& comparison, const std::string& m
   return found == comparison.runs.end() ? nullptr : &*found;
 }
 
-/// The runs of one method in both arms of all pairs.
-std::vector<Pair> pairs_of(const std::vector<Arms>& all, const std::string& method) {
-  std::vector<Pair> pairs;
-  for (const Arms& arms : all) {
-    const StoredRun *without = run_of(*arms.without, method), *with = run_of(*arms.with, method);
-    if (without && with) pairs.push_back({arms.with->recording, without->trajectory, with->trajectory});
+/// Made under the same conditions but for the gaps.
+bool alike(const StoredComparison& a, const StoredComparison& b) {
+  const RunRecord &one = conditions_of(a), &other = conditions_of(b);
+  return one.seed == other.seed && one.recording == other.recording && one.fingerprint == other.fingerprint &&
+         one.gate == other.gate && one.showing() == other.showing();
+}
+
+/// OUT of OUT/RECORDING/GAPS-PROTOCOL.
+std::filesystem::path results_root(const StoredComparison& comparison) {
+  return comparison.folder.parent_path().parent_path();
+}
+
+/// The run of `method` as recorded that the one in `with` is compared to: that in the same results if it is there,
+/// else the first of the others. Nothing when there is none.
+const StoredRun* run_without(const std::vector<StoredComparison>& all, const StoredComparison& with,
+                             const std::string& method) {
+  const StoredRun* elsewhere = nullptr;
+  for (const StoredComparison& other : all) {
+    if (!as_recorded(other) || !alike(other, with)) continue;
+    const StoredRun* run = run_of(other, method);
+    if (run && results_root(other) == results_root(with)) return run;
+    if (!elsewhere) elsewhere = run;
   }
-  return pairs;
+  return elsewhere;
+}
+
+/// The runs of one method in both arms.
+struct Arms {
+  const StoredComparison& conditions;  ///< of the arm with gaps
+  const StoredRun& without;
+  const StoredRun& with;
+};
+
+/// A pair as long as the shorter of its arms, where one was cut short.
+struct EquallyLong {
+  Recording recording;
+  Trajectory without, with;
+};
+EquallyLong equally_long(const Arms& arms) {
+  const Recording& recording = arms.conditions.recording;
+  const std::size_t frames = std::min(
+      {recording.frames(), arms.without.trajectory.frames.size(), arms.with.trajectory.frames.size()});
+  return {up_to(recording, frames), up_to(arms.without.trajectory, frames),
+          up_to(arms.with.trajectory, frames)};
+}
+
+/// What the gaps cost the method `of`, over all its pairs.
+GapCost cost_of(const std::vector<Arms>& all, const std::string& of, const Gate& gate) {
+  std::vector<EquallyLong> kept;
+  for (const Arms& arms : all)
+    if (arms.with.record.method == of) kept.push_back(equally_long(arms));
+  std::vector<Pair> pairs;
+  for (const EquallyLong& pair : kept) pairs.push_back({pair.recording, pair.without, pair.with});
+  return cost_of_gaps(pairs, gate);
 }
 
 template <class Value>
@@ -78,24 +89,21 @@ void add_new(std::vector<Value>& all, const Value& value) {
 }
 
 GapExperiment experiment_on(const std::vector<Arms>& all, const std::optional<std::string>& gate) {
-  const RunRecord& first = conditions_of(*all.front().with);
-  GapExperiment experiment{first.gaps, first.showing(), gate_of(*all.front().with, gate), {}, {}, {}};
+  const StoredComparison& conditions = all.front().conditions;
+  const RunRecord& first = conditions_of(conditions);
+  GapExperiment experiment{first.gaps, first.showing(), gate_of(conditions, gate), {}, {}, {}};
   std::vector<const RunRecord*> methods;
   for (const Arms& arms : all) {
-    add_new(experiment.recordings, arms.with->recording.name);
-    add_new(experiment.seeds, conditions_of(*arms.with).seed);
-    for (const StoredRun& run : arms.with->runs) {
-      const auto same = [&](const RunRecord* other) { return other->method == run.record.method; };
-      if (std::none_of(methods.begin(), methods.end(), same)) methods.push_back(&run.record);
-    }
+    const RunRecord& record = arms.with.record;
+    add_new(experiment.recordings, arms.conditions.recording.name);
+    add_new(experiment.seeds, record.seed);
+    const auto same = [&](const RunRecord* other) { return other->method == record.method; };
+    if (std::none_of(methods.begin(), methods.end(), same)) methods.push_back(&record);
   }
   std::stable_partition(methods.begin(), methods.end(), [](const RunRecord* r) { return !r->yardstick; });
-  for (const RunRecord* method : methods) {
-    const auto pairs = pairs_of(all, method->method);
-    if (!pairs.empty())
-      experiment.methods.push_back(
-          {method->method, method->yardstick, method->deterministic, cost_of_gaps(pairs, experiment.gate)});
-  }
+  for (const RunRecord* method : methods)
+    experiment.methods.push_back({method->method, method->yardstick, method->deterministic,
+                                  cost_of(all, method->method, experiment.gate)});
   return experiment;
 }
 
@@ -169,10 +177,14 @@ std::string heading(const GapExperiment& e) {
                      spoken(e.showing), to_string(e.gate));
 }
 
+/// Then frames come that a busy method never looks at.
+bool in_real_time(const GapExperiment& e) { return !e.showing.real_time.empty(); }
+
 /// How many frames the scores stand on; for each method where resets cut the pairs differently.
 std::string frames_text(const GapExperiment& e) {
-  const auto text = [](const GapCost& cost) {
-    return fmt::format("{} of {} recorded frames came in both arms", cost.common_frames, cost.frames);
+  const auto text = [&](const GapCost& cost) {
+    return fmt::format("{} of {} recorded frames {} in both arms", cost.common_frames, cost.frames,
+                       in_real_time(e) ? "were looked at" : "came");
   };
   const auto cut = [](const GapExperiment::MethodCost& m) { return m.cost.ended_at_reset > 0; };
   if (std::none_of(e.methods.begin(), e.methods.end(), cut) && !e.methods.empty())
@@ -184,6 +196,17 @@ std::string frames_text(const GapExperiment& e) {
                                             m.cost.ended_at_reset, m.cost.pairs)
                               : "");
   return all;
+}
+
+std::string footnote(const std::vector<GapExperiment>& experiments) {
+  const bool real_time = std::any_of(experiments.begin(), experiments.end(), in_real_time);
+  return fmt::format(R"(
+  Differences are with - without, on the frames that {} in both arms; worse, better: the interval holds no zero.
+  error px: medians over Hits of both arms on the same frame, and the median of their differences there.
+  available, all frames: on every recorded frame, so that it shows how old answers grow over the gaps.
+)",
+                     real_time ? "came (in real time: were looked at)" : "came")
+      .substr(1);
 }
 
 // JSON
@@ -227,37 +250,39 @@ Json json_of(const GapExperiment& e, const GapExperiment::MethodCost& m) {
 
 }  // namespace
 
-std::vector<GapExperiment> gap_experiments(std::vector<StoredComparison> comparisons,
+std::vector<GapExperiment> gap_experiments(const std::vector<StoredComparison>& comparisons,
                                            const std::optional<std::string>& gate) {
   std::map<std::tuple<std::string, Showing, std::string>, std::vector<Arms>> by_pattern;
-  for (StoredComparison& with : comparisons) {
+  for (const StoredComparison& with : comparisons) {
     if (as_recorded(with)) continue;
-    const auto without = arm_without(comparisons, with);
-    if (!without) continue;
-    const Arms arms{&comparisons[*without], &with};
-    make_equally_long(arms);
     const RunRecord& record = conditions_of(with);
-    by_pattern[{record.gaps, record.showing(), record.gate}].push_back(arms);
+    for (const StoredRun& run : with.runs)
+      if (const StoredRun* without = run_without(comparisons, with, run.record.method))
+        by_pattern[{record.gaps, record.showing(), record.gate}].push_back({with, *without, run});
   }
   if (by_pattern.empty())
     throw Error(
         "no runs there were made with gaps and as recorded, too, with the same seed; `relock run --gaps "
         "PATTERN --paired` makes both");
   std::vector<GapExperiment> experiments;
-  for (const auto& [pattern, arms] : by_pattern) {
-    for (const Arms& pair : arms) make_equally_long(pair);  // a later pattern may have cut the shared arm
-    experiments.push_back(experiment_on(arms, gate));
-  }
+  for (const auto& [pattern, arms] : by_pattern) experiments.push_back(experiment_on(arms, gate));
   return experiments;
 }
 
 std::vector<std::string> without_a_pair(const std::vector<StoredComparison>& comparisons) {
   std::vector<std::string> sentences;
   for (const StoredComparison& with : comparisons) {
+    if (as_recorded(with)) continue;
+    std::vector<std::string> alone;
+    for (const StoredRun& run : with.runs)
+      if (!run_without(comparisons, with, run.record.method)) alone.push_back(run.record.method);
+    if (alone.empty()) continue;
     const RunRecord& record = conditions_of(with);
-    if (as_recorded(with) || arm_without(comparisons, with)) continue;
-    sentences.push_back(fmt::format("{} with gaps {}, seed {}, {}: there is no run of it as recorded",
-                                    record.recording, record.gaps, record.seed, spoken(record.showing())));
+    const std::string what =
+        alone.size() == with.runs.size() ? "it" : fmt::format("{}", fmt::join(alone, ", "));
+    sentences.push_back(fmt::format("{} with gaps {}, seed {}, {}: there is no run of {} as recorded",
+                                    record.recording, record.gaps, record.seed, spoken(record.showing()),
+                                    what));
   }
   return sentences;
 }
@@ -288,12 +313,12 @@ std::string cost_json(const std::vector<GapExperiment>& experiments) {
   return json_text(all);
 }
 
-void print_cost_of_gaps(std::vector<StoredComparison> comparisons, const std::optional<std::string>& gate) {
-  const auto left_out = without_a_pair(comparisons);
-  for (const GapExperiment& experiment : gap_experiments(std::move(comparisons), gate))
-    fmt::print("{}\n", cost_text(experiment));
-  for (const std::string& sentence : left_out) fmt::print("  left out: {}\n", sentence);
-  fmt::print("{}", kFootnote.substr(1));
+void print_cost_of_gaps(const std::vector<StoredComparison>& comparisons,
+                        const std::optional<std::string>& gate) {
+  const auto experiments = gap_experiments(comparisons, gate);
+  for (const GapExperiment& experiment : experiments) fmt::print("{}\n", cost_text(experiment));
+  for (const std::string& sentence : without_a_pair(comparisons)) fmt::print("  left out: {}\n", sentence);
+  fmt::print("{}", footnote(experiments));
 }
 
 }  // namespace relock

@@ -26,12 +26,14 @@ struct GapExperiment {
 };
 
 /// The experiments that are whole among `comparisons`: of every gap pattern the runs that were made as
-/// recorded, too, with the same recording, seed, protocol, anchor, real time and latency. `gate`: else the one by which resets were judged,
+/// recorded, too, with the same recording, seed, protocol, anchor, real time and latency. Each method is paired
+/// with its own run as recorded, that of the same results folder before one of another. `gate`: else the one by which resets were judged,
 /// else centre. Throws Error when no run has both arms.
-std::vector<GapExperiment> gap_experiments(std::vector<StoredComparison> comparisons,
+std::vector<GapExperiment> gap_experiments(const std::vector<StoredComparison>& comparisons,
                                            const std::optional<std::string>& gate);
 
-/// Runs with gaps that have no arm as recorded, and so no place in an experiment: a sentence on each.
+/// Runs with gaps that have no arm as recorded, and so no place in an experiment: a sentence on each comparison that
+/// has some, which names the methods unless it is all of them.
 std::vector<std::string> without_a_pair(const std::vector<StoredComparison>& comparisons);
 
 /// One table, for people.
@@ -41,6 +43,7 @@ std::string cost_json(const std::vector<GapExperiment>& experiments);
 
 /// Prints the table of every experiment among `comparisons`: `relock cost`, and the end of
 /// `relock run --paired`.
-void print_cost_of_gaps(std::vector<StoredComparison> comparisons, const std::optional<std::string>& gate);
+void print_cost_of_gaps(const std::vector<StoredComparison>& comparisons,
+                        const std::optional<std::string>& gate);
 
 }  // namespace relock

@@ -149,8 +149,7 @@ int tell_cost(const Plan& plan, const Matrix& matrix) {
   auto found = find_results(plan.out);
   std::erase_if(found, [&](const FoundComparison& c) { return !folders.contains(c.folder); });
   fmt::print("\n");
-  return with_readable(found,
-                       [](std::vector<StoredComparison> own) { print_cost_of_gaps(std::move(own), {}); });
+  return with_readable(found, [](const std::vector<StoredComparison>& own) { print_cost_of_gaps(own, {}); });
 }
 
 int make(const Plan& plan, const Matrix& matrix, int jobs) {

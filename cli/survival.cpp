@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <string>
+
 #include "cli/json_text.h"
 #include "cli/pooled_runs.h"
 #include "cli/verbs.h"
@@ -30,7 +33,15 @@ Json to_json(const TrackingSurvival& s, double claim) {
           {"follow_up", s.follow_up}};
 }
 
+/// Why nothing is told of the runs of `group`, if that is so. By protocol vot a method is started again after one
+/// failed frame, which is no loss by the rules, so every lock would seem to have been cut off and none to have failed.
+std::optional<std::string> left_out(const PooledRuns& group) {
+  if (group.showing.protocol != Protocol::vot) return {};
+  return "protocol vot: its failures are no losses; see `relock compatibility`";
+}
+
 void print_group(const PooledRuns& group) {
+  if (const auto why = left_out(group)) return fmt::print("  left out: {}\n", *why);
   for (const PooledMethod& method : group.methods)
     fmt::print("  {} {}\n", method.method, sentence(survival_of(method)));
   fmt::print(
@@ -46,7 +57,8 @@ void print_group(const PooledRuns& group) {
   fmt::print("{}\n", first ? " no method was given the target" : "");
 }
 
-Json method_json(const PooledMethod& method) {
+Json method_json(const PooledRuns& group, const PooledMethod& method) {
+  if (const auto why = left_out(group)) return {{"method", method.method}, {"left_out", *why}};
   const TrackingSurvivals s = survival_of(method);
   return {{"method", method.method},
           {"starts", s.starts},
@@ -58,9 +70,6 @@ Json method_json(const PooledMethod& method) {
 
 }  // namespace
 
-int survival(const ResultsArguments& arguments) {
-  return tell_pooled(arguments, print_group,
-                     [](const PooledRuns&, const PooledMethod& method) { return method_json(method); });
-}
+int survival(const ResultsArguments& arguments) { return tell_pooled(arguments, print_group, method_json); }
 
 }  // namespace relock

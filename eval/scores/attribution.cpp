@@ -27,8 +27,10 @@ std::optional<double> value(const Transition& t, Covariate covariate) {
   switch (covariate) {
     case Covariate::injected_slots:
       return t.injected_slots;
-    case Covariate::other_slots:
-      return t.other_slots;
+    case Covariate::recorded_slots:
+      return t.recorded_slots;
+    case Covariate::skipped_slots:
+      return t.skipped_slots;
     case Covariate::blur:
       return t.blur;
     case Covariate::displacement:
@@ -155,11 +157,15 @@ std::vector<std::optional<Interval>> within_sequences(const Rows& rows, const Fi
 }
 
 void add_effects(std::span<const TransitionRun> runs, const std::vector<Covariate>& covariates,
-                 Attribution& found) {
+                 const FirthOptions& options, Attribution& found) {
   if (covariates.empty()) return;
   const Rows rows = rows_of(runs, covariates);
-  const auto fit = firth(rows.covariates, rows.lost);
+  const auto fit = firth(rows.covariates, rows.lost, {}, {}, options);
   if (!fit) return;
+  if (!fit->converged) {
+    found.too_few = TooFew::not_converged;  // where the steps ended is no estimate
+    return;
+  }
   const auto intervals =
       found.sequences >= kManySequences ? between_sequences(rows, *fit) : within_sequences(rows, *fit);
   for (std::size_t c = 0; c < covariates.size(); ++c) {
@@ -196,7 +202,8 @@ std::vector<Transition> transitions(const Recording& recording, const Trajectory
             circumstances(recording, trajectory, target, static_cast<FrameIndex>(frame));
         Transition& t = found.emplace_back();
         t.injected_slots = static_cast<double>(with.slots_injected);
-        t.other_slots = static_cast<double>(with.slots_recorded + with.slots_skipped);
+        t.recorded_slots = static_cast<double>(with.slots_recorded);
+        t.skipped_slots = static_cast<double>(with.slots_skipped);
         if (with.blur_px && with.size_px) t.blur = 10 * *with.blur_px / *with.size_px;
         if (with.displacement_d) t.displacement = 10 * *with.displacement_d;
         t.lost = loss && loss->first_lost == static_cast<FrameIndex>(frame);
@@ -207,7 +214,7 @@ std::vector<Transition> transitions(const Recording& recording, const Trajectory
   return found;
 }
 
-Attribution attribute(std::span<const TransitionRun> runs, Gaps gaps) {
+Attribution attribute(std::span<const TransitionRun> runs, Gaps gaps, const FirthOptions& options) {
   Attribution found;
   std::set<std::size_t> sequences;
   for (const TransitionRun& run : runs) {
@@ -225,11 +232,11 @@ Attribution attribute(std::span<const TransitionRun> runs, Gaps gaps) {
     std::erase_if(covariates, [&](Covariate c) { return !tells(runs, c); });
     return covariates;
   };
-  std::vector<Covariate> causes{Covariate::other_slots, Covariate::blur};
+  std::vector<Covariate> causes{Covariate::recorded_slots, Covariate::skipped_slots, Covariate::blur};
   if (gaps == Gaps::injected) causes.insert(causes.begin(), Covariate::injected_slots);
-  add_effects(runs, telling(causes), found);
-  add_effects(runs, telling({Covariate::displacement}), found);
-  if (found.effects.empty()) found.too_few = TooFew::variation;
+  add_effects(runs, telling(causes), options, found);
+  add_effects(runs, telling({Covariate::displacement}), options, found);
+  if (found.effects.empty() && found.too_few == TooFew::none) found.too_few = TooFew::variation;
   return found;
 }
 
@@ -245,7 +252,8 @@ std::string odds(double ratio) {
 std::string sentence(const Effect& effect) {
   static const std::map<Covariate, std::string> kUnits{
       {Covariate::injected_slots, "extra slot of gap"},
-      {Covariate::other_slots, "extra slot of gap in the recording"},
+      {Covariate::recorded_slots, "extra slot of gap in the recording"},
+      {Covariate::skipped_slots, "extra slot that the method was busy"},
       {Covariate::blur, "10 % of D of blur"},
       {Covariate::displacement, "10 % of D that the target moved"}};
   const std::string limits =
@@ -265,10 +273,15 @@ std::string sentence(const Attribution& attribution) {
                          attribution.losses, attribution.transitions, kLeastLosses);
     case TooFew::variation:
       return fmt::format("too little varies to tell what its {} losses go with", attribution.losses);
+    case TooFew::not_converged:
     case TooFew::none:
       break;
   }
-  return fmt::format("{} losses in {} transitions", attribution.losses, attribution.transitions);
+  return fmt::format("{} losses in {} transitions{}", attribution.losses, attribution.transitions,
+                     attribution.too_few == TooFew::none ? ""
+                     : attribution.effects.empty()
+                         ? "; the fit did not converge, so no effect is told"
+                         : "; one fit did not converge, and its effects are left out");
 }
 
 }  // namespace relock

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "eval/judgement/evaluation.h"
+#include "eval/statistics/firth.h"
 #include "eval/statistics/interval.h"
 
 namespace relock {
@@ -14,7 +15,8 @@ namespace relock {
 /// section 7): what came with it, and whether a loss began in it.
 struct Transition {
   double injected_slots = 0;           ///< frames that the gap pattern dropped within
-  double other_slots = 0;              ///< slots lost in the recording, or skipped by a busy method
+  double recorded_slots = 0;           ///< slots lost in the recording
+  double skipped_slots = 0;            ///< frames for which the method was busy
   std::optional<double> blur;          ///< on arrival, in tenths of D
   std::optional<double> displacement;  ///< of the target, in tenths of D
   bool lost = false;                   ///< the onset of a loss lies in it
@@ -33,18 +35,19 @@ enum class Gaps : std::uint8_t { recorded, injected };
 
 /// What one more unit of a covariate does to the odds of a loss, others equal.
 struct Effect {
-  enum class Covariate : std::uint8_t { injected_slots, other_slots, blur, displacement };
-  Covariate covariate = Covariate::other_slots;
+  enum class Covariate : std::uint8_t { injected_slots, recorded_slots, skipped_slots, blur, displacement };
+  Covariate covariate = Covariate::recorded_slots;
   double odds_ratio = 1;
   std::optional<Interval> interval;  ///< nothing: too few resamples could be fitted
   bool because = false;              ///< drawn at random, so a cause; else it only goes with losses
 };
 
-/// Why nothing is told.
+/// Why nothing is told, or not all.
 enum class TooFew : std::uint8_t {
   none,    ///< something is
   losses,  ///< fewer than kLeastLosses
   variation,  ///< no covariate varies enough: fewer than kLeastVaried transitions differ from its commonest value
+  not_converged,  ///< the fit of a model found no end, so that its effects are not told; another model's may be
 };
 constexpr std::size_t kLeastLosses = 10;
 constexpr std::size_t kLeastVaried = 10;
@@ -61,14 +64,14 @@ struct Attribution {
 /// by the scatter of the scores between them (the sandwich estimator), and Student's t; below, by a stationary
 /// block bootstrap (Politis and Romano 1994) of kBlockResamples refits, blocks of kMeanBlock transitions in the
 /// mean, and never narrower than the profile-likelihood interval.
-Attribution attribute(std::span<const TransitionRun> runs, Gaps gaps);
+Attribution attribute(std::span<const TransitionRun> runs, Gaps gaps, const FirthOptions& options = {});
 constexpr int kBlockResamples = 400;
 constexpr double kMeanBlock = 30;
 
 /// "each extra slot of gap multiplies the odds of a loss by 2.3 [1.8, 3.1] (because: the gaps were injected)",
 /// "each 10 % of D of blur goes with odds of a loss 1.4 [1.1, 1.9] times as high".
 std::string sentence(const Effect& effect);
-/// "too few losses to tell: 4, and 10 are needed".
-std::string sentence(const Attribution& too_few);
+/// "too few losses to tell: 4, and 10 are needed", "12 losses in 340 transitions".
+std::string sentence(const Attribution& attribution);
 
 }  // namespace relock

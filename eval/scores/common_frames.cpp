@@ -16,10 +16,16 @@ void check_fit(const Recording& recording, const Trajectory& arm) {
                           recording.targets.size()));
 }
 
+/// A target is judged from the first frame on which it could have been given; in real time its start may come
+/// later. So only what was given before can be given again.
 std::size_t first_reset(const Trajectory& arm) {
-  for (std::size_t frame = 0; frame < arm.frames.size(); ++frame)
-    for (const std::size_t target : arm.frames[frame].given)
-      if (arm.judged_from[target] && static_cast<FrameIndex>(frame) > *arm.judged_from[target]) return frame;
+  std::vector<bool> given_before(arm.judged_from.size());
+  for (std::size_t frame = 0; frame < arm.frames.size(); ++frame) {
+    for (const std::size_t target : arm.frames[frame].given) {
+      if (given_before[target]) return frame;
+      given_before[target] = true;
+    }
+  }
   return arm.frames.size();
 }
 

@@ -21,7 +21,7 @@ struct CommonFrames {
 };
 
 /// How far two arms can be compared: recorded frames before the first reset of any target in either of them,
-/// else all. A reset is a Given frame after the start.
+/// else all. A reset is a target's second Given frame; its first, the start, may come late in real time.
 std::size_t frames_before_reset(const Trajectory& without, const Trajectory& with);
 
 /// The first `frames` of a trajectory.

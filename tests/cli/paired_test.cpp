@@ -97,6 +97,8 @@ TEST(GapExperiments, InRealTimeAreExperimentsOfTheirOwn) {
   EXPECT_NE(hurried.find("protocol once, real time latest, latency constant(70ms)"), std::string::npos)
       << hurried;
   EXPECT_EQ(all[1].methods[0].cost[CostScore::recognition].with, 1.0 / 3);
+  EXPECT_NE(patient.find("3 of 4 recorded frames came in both arms"), std::string::npos) << patient;
+  EXPECT_NE(hurried.find("3 of 4 recorded frames were looked at in both arms"), std::string::npos) << hurried;
 }
 
 TEST(GapExperiments, ArePairedFromTheSameAnchorOnly) {
@@ -122,6 +124,41 @@ TEST(GapExperiments, LeaveOutAMethodThatOneArmDoesNotHave) {
   const auto all = gap_experiments({without, with}, {});
   ASSERT_EQ(all.at(0).methods.size(), 1u);
   EXPECT_EQ(all[0].methods[0].method, "mine");
+}
+
+/// As it is read from the results folder `out`.
+StoredComparison found_in(const std::string& out, StoredComparison made) {
+  made.folder = std::filesystem::path(out) / made.recording.name / made.runs.front().record.gaps;
+  return made;
+}
+
+TEST(GapExperiments, FindTheArmOfEachMethodInItsOwnFolder) {
+  const auto all = gap_experiments({found_in("P/a", comparison("a", "none", 1, "HHHH", "mine")),
+                                    found_in("P/a", comparison("a", "paper", 1, "HH.H", "mine")),
+                                    found_in("P/b", comparison("a", "none", 1, "HHHH", "other")),
+                                    found_in("P/b", comparison("a", "paper", 1, "HH.M", "other"))},
+                                   {});
+  ASSERT_EQ(all.size(), 1u);
+  ASSERT_EQ(all[0].methods.size(), 2u);
+  EXPECT_EQ(all[0].methods[0].method, "mine");
+  EXPECT_EQ(all[0].methods[1].method, "other");
+  EXPECT_EQ(all[0].methods[1].cost[CostScore::recognition].with, 2.0 / 3);
+}
+
+TEST(GapExperiments, TakeTheArmOfTheSameFolderBeforeAnother) {
+  const auto all = gap_experiments({found_in("P/a", comparison("a", "none", 1, "MMMM")),
+                                    found_in("P/b", comparison("a", "none", 1, "HHHH")),
+                                    found_in("P/b", comparison("a", "paper", 1, "HH.H"))},
+                                   {});
+  EXPECT_EQ(all.at(0).methods.at(0).cost[CostScore::recognition].without, 1.0);
+}
+
+TEST(GapExperiments, NameTheMethodsThatHaveNoArmAsRecorded) {
+  auto without = comparison("a", "none", 1, "HHHH"), with = comparison("a", "paper", 1, "HH.H");
+  with.runs.push_back(comparison("a", "paper", 1, "HH.H", "other").runs.front());
+  const auto left_out = without_a_pair({without, with});
+  ASSERT_EQ(left_out.size(), 1u);
+  EXPECT_NE(left_out[0].find("no run of other as recorded"), std::string::npos) << left_out[0];
 }
 
 TEST(GapExperiments, CompareRunsThatWereCutShortAsFarAsBothGo) {

@@ -38,6 +38,11 @@ vot=$work/vot/klahaag/recorded-vot
 expect "mute is started every six frames" 9 "$(grep -c ',given,' "$vot/mute/trajectory.csv")"
 expect "frames that are withheld are not started" "$(grep -c ',withheld,' "$vot/mosse/trajectory.csv")" "$(verdicts "$vot/mosse" NotStarted)"
 expect "the oracle is started once" 1 "$(grep -c ',given,' "$vot/oracle/trajectory.csv")"
+"$relock" survival "$work/vot" >"$work/said"
+expect_contains "survival leaves vot out and says why" "left out: protocol vot: its failures are no losses" "$(cat "$work/said")"
+expect "and tells no median of it" 0 "$(grep -c -e median -e paper "$work/said")"
+"$relock" survival "$work/vot" --json >"$work/said"
+expect "nor any in JSON" 0 "$(grep -c '"median"' "$work/said")"
 
 # Real time.
 run --methods kcf --real-time latest --latency 'constant(70ms)' --out "$work/slow"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "core/random.h"
 
@@ -101,7 +102,8 @@ TEST(Attribution, OfALossWithEveryGapIsStillANumber) {
   EXPECT_GT(found.effects.at(0).odds_ratio, 10);
 }
 
-/// One target that moves 4 px a frame at D = 40, at 30 Hz; . is a frame that was dropped.
+/// One target that moves 4 px a frame at D = 40, at 30 Hz; . is a frame that was dropped, b one for which
+/// it was busy.
 struct Told {
   Recording recording;
   Trajectory trajectory;
@@ -124,6 +126,7 @@ Told told(const std::string& letters) {
     t.recording.truth.push_back(truth);
     FrameReport report;
     if (letters[i] == '.') report.delivery = Delivery::dropped;
+    if (letters[i] == 'b') report.delivery = Delivery::skipped;
     if (letters[i] == 'g') report.given = {0};
     if (letters[i] == 'H' || letters[i] == 'g') {
       Sighting sighting;
@@ -144,12 +147,42 @@ TEST(Transitions, AreOfLockedScoredDeliveredFramesInARowAndOneHasTheOnset) {
   ASSERT_EQ(found.size(), 4u)
       << "H-H, H..H, H-H, H-M; the Given is no scored frame, after the onset none is locked";
   EXPECT_EQ(found[1].injected_slots, 2);
-  EXPECT_EQ(found[1].other_slots, 0);
+  EXPECT_EQ(found[1].recorded_slots, 0);
+  EXPECT_EQ(found[1].skipped_slots, 0);
   EXPECT_NEAR(found[1].displacement.value(), 3, 1e-9);
   EXPECT_NEAR(found[0].displacement.value(), 1, 1e-9);
   EXPECT_NEAR(found[0].blur.value(), 2, 1e-9);
   EXPECT_FALSE(found[0].lost || found[1].lost || found[2].lost);
   EXPECT_TRUE(found[3].lost);
+}
+
+TEST(Transitions, TellWhetherFramesNeverCameOrWereSkipped) {
+  const Told t = told("gHHbbHHH");
+  const auto found =
+      transitions(t.recording, t.trajectory, 0, evaluate(t.recording, t.trajectory).targets[0]);
+  ASSERT_EQ(found.size(), 4u);
+  EXPECT_EQ(found[1].skipped_slots, 2);
+  EXPECT_EQ(found[1].recorded_slots, 0);
+  EXPECT_EQ(found[1].injected_slots, 0);
+}
+
+TEST(Attribution, DoesNotTakeABusyMethodForAGapInTheRecording) {
+  auto runs = draw_runs(12, 12, 300);
+  for (TransitionRun& run : runs)
+    for (Transition& t : run.transitions) t.skipped_slots = std::exchange(t.injected_slots, 0.0);
+  const Attribution found = attribute(runs, Gaps::recorded);
+  ASSERT_EQ(found.effects.size(), 2u);
+  EXPECT_EQ(found.effects[0].covariate, Effect::Covariate::skipped_slots);
+  EXPECT_NE(sentence(found.effects[0]).find("each extra slot that the method was busy goes with odds"),
+            std::string::npos)
+      << sentence(found.effects[0]);
+}
+
+TEST(Attribution, TellsNoEffectOfAFitThatDidNotConverge) {
+  const Attribution found = attribute(draw_runs(13, 12, 300), Gaps::injected, {1, 1e-18});
+  EXPECT_EQ(found.too_few, TooFew::not_converged);
+  EXPECT_TRUE(found.effects.empty());
+  EXPECT_NE(sentence(found).find("the fit did not converge"), std::string::npos) << sentence(found);
 }
 
 }  // namespace

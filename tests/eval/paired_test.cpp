@@ -330,5 +330,17 @@ TEST(CommonFrames, EndBeforeTheFirstResetOfEitherArm) {
   EXPECT_EQ(both.without.frames.size(), 25u);
 }
 
+TEST(CommonFrames, DoNotTakeALateFirstStartForAReset) {
+  const Recording recording = visible(40);
+  Trajectory without = said(recording, std::string(40, 'H')), with = without;
+  without.frames[2].given = {0};  // it was busy with another target on frame 0, from which this one is judged
+  with.frames[5].given = {0};
+  const CommonFrames both = common_frames(recording, without, with);
+  EXPECT_FALSE(both.ends_at_reset);
+  EXPECT_EQ(both.recording.frames(), 40u);
+  with.frames[30].given = {0};
+  EXPECT_EQ(frames_before_reset(without, with), 30u);
+}
+
 }  // namespace
 }  // namespace relock
