@@ -58,12 +58,14 @@ std::size_t first_frame(const fs::path& file, std::size_t lines, const Recording
                   file.string(), lines, recording.frames(), recording.name));
 }
 
-/// Adds what one file says to the trajectory.
+/// Adds what one file says to the trajectory. Frames between a failure and the next start, or the end, are
+/// withheld, as protocol vot withholds them: the toolkit did not ask.
 void add_answers(const fs::path& file, ResultFormat format, const Recording& recording, std::size_t target,
                  Trajectory& trajectory) {
   std::vector<ForeignAnswer> answers = read_answers(format, file);
   const std::size_t first = first_frame(file, answers.size(), recording, target);
   auto& from = trajectory.judged_from[target];
+  bool failed = false;  // and not started again
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const std::size_t frame = first + i;
     FrameReport& report = trajectory.frames[frame];
@@ -78,11 +80,18 @@ void add_answers(const fs::path& file, ResultFormat format, const Recording& rec
                                     recording.name));
       report.given.push_back(target);
       if (!from) from = static_cast<FrameIndex>(frame);
+      failed = false;
+    } else if (failed) {
+      if (answer.outline)
+        throw Error::at(file.string(), i + 1,
+                        "a region between a failure (2) and the next start (1); only 0 can be there");
+      report.withheld.push_back(target);
     } else if (from && answer.outline) {
       Sighting sighting = sighting_of(*answer.outline);
       sighting.track = recording.targets[target].id;
       report.sightings.push_back(as_stored(std::move(sighting)));
     }
+    failed |= from && answer.code == VotCode::failure;
   }
   if (!from) throw Error(fmt::format("{}: the tracker is never started", file.string()));
 }
@@ -124,7 +133,10 @@ int import_results(const ImportArguments& arguments) {
   const auto targets = targets_of(arguments, recording);
   for (std::size_t i = 0; i < targets.size(); ++i)
     add_answers(arguments.files[i], format, recording, targets[i], trajectory);
-  for (FrameReport& report : trajectory.frames) std::sort(report.given.begin(), report.given.end());
+  for (FrameReport& report : trajectory.frames) {
+    std::sort(report.given.begin(), report.given.end());
+    std::sort(report.withheld.begin(), report.withheld.end());
+  }
 
   const RunRecord record = record_of(arguments, format, sequence, trajectory);
   const ResultsLock lock = prepare_results(arguments.out);

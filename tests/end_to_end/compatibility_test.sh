@@ -51,6 +51,22 @@ back=$("$relock" compatibility "$work/vot-back" --eao 5 20 2>&1)
 expect "vot: failures are those of the file" "$codes" "$(awk '$1 == "still" {print $4; exit}' <<<"$own")"
 expect "vot: the same scores" "$(row_of still "$own" | head -n 1)" "$(row_of still "$back" | head -n 1)"
 
+# Between a failure and the next start nothing was asked, so nothing was missed.
+verdicts_of() { cut -d , -f 1-3 "$1/klahaag/recorded-vot/$2/verdicts.csv"; }  # RESULTS METHOD
+"$relock" run --sequence klahaag --methods linear --protocol vot --out "$work/linear" >"$work/said" 2>&1
+"$relock" export "$work/linear" --as vot --out "$work/linear-vot" >"$work/said" 2>&1
+file=$work/linear-vot/linear/baseline/klahaag/klahaag_001.txt
+"$relock" import "$file" --as vot --sequence klahaag --method published --out "$work/linear-back" >"$work/said" 2>&1
+expect "linear: import as vot" 0 $?
+"$relock" score "$work/linear" >"$work/said" 2>&1
+"$relock" score "$work/linear-back" >"$work/said" 2>&1
+expect "linear fails" yes "$([[ $(grep -cx 2 "$file") -gt 0 ]] && echo yes)"
+expect "vot: verdicts differ on failures only" "$(awk '$0 == "2" { print NR - 1 }' "$file")" \
+  "$(diff <(verdicts_of "$work/linear" linear) <(verdicts_of "$work/linear-back" published) | awk -F '[ ,]' '/^>/ { print $2 }')"
+awk 'failed && $0 == "0" { $0 = "1,1,9,9"; failed = 0 } $0 == "2" { failed = 1 } { print }' "$file" >"$work/goes-on.txt"
+said=$("$relock" import "$work/goes-on.txt" --as vot --sequence klahaag --method x --out "$work/none" 2>&1)
+expect_contains "a region after a failure" "a region between a failure (2) and the next start (1)" "$said"
+
 # Protocol multistart: one table over all starts.
 "$relock" run --sequence klahaag --methods template --protocol multistart --out "$work/starts" >"$work/said" 2>&1
 expect "run from many starts" 0 $?
