@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "cli/benchmark_files.h"
+#include "cli/catalogue.h"
 #include "cli/recordings.h"
 #include "cli/runs/folder.h"
 #include "cli/verbs.h"
@@ -119,6 +120,23 @@ std::string text_of(const Recording& recording, const Trajectory& trajectory) {
   return text;
 }
 
+/// Yardsticks are computed, and every comparison has its own: no file can stand for one. The folder's name is what
+/// runs are told apart by.
+void check_name(const std::string& method, const fs::path& folder) {
+  if (is_yardstick(method) || is_yardstick(folder.filename().string()))
+    throw Error(
+        fmt::format("{} is a yardstick, which relock computes itself; choose another --method", method));
+}
+
+/// An imported run may be imported again; one that relock measured is not replaced by a file.
+void check_not_replaced(const fs::path& folder) {
+  const fs::path record = folder / "run.json";
+  if (fs::exists(record) && !read_record(record).imported())
+    throw Error(
+        fmt::format("{} holds a run that was made here, not imported; choose another --out or --method",
+                    folder.string()));
+}
+
 }  // namespace
 
 int import_results(const ImportArguments& arguments) {
@@ -139,10 +157,12 @@ int import_results(const ImportArguments& arguments) {
   }
 
   const RunRecord record = record_of(arguments, format, sequence, trajectory);
+  const fs::path folder = run_folder(arguments.out, record);
+  check_name(arguments.method, folder);
   const ResultsLock lock = prepare_results(arguments.out);
   store_truth(arguments.out, recording, sequence.fingerprint);
-  const fs::path folder = run_folder(arguments.out, record);
   check_comparison(folder, record);
+  check_not_replaced(folder);
   store_run(folder, {record, text_of(recording, trajectory), {}});
   const std::string out = arguments.out.string();
   fmt::print("{0} on {1} is in {2}; see it with `relock timeline {2}` and `relock score {2}`\n",
