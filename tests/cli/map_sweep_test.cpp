@@ -62,9 +62,20 @@ TEST(ASweep, RefusesWhatNoMapCanBe) {
   refused([](SweepPlan& plan) { plan.columns = {1.5}; });
   refused([](SweepPlan& plan) { plan.exposures_ms = {40}; });  // longer than the period
   refused([](SweepPlan& plan) { plan.seeds = 0; });
+  refused([](SweepPlan& plan) { plan.flight.duration_s = 0.2; });
   refused([](SweepPlan& plan) { plan.gap_share = 0; });
   refused([](SweepPlan& plan) { plan.flight.targets.push_back({}); });
   refused([](SweepPlan& plan) { plan.flight.timing.gaps = "paper"; });
+}
+
+TEST(ADrawnMap, HasNoColourWhereTheTargetIsNeverVisible) {
+  const auto drawn = [](const MeasuredMap& map) { return png_of(map, answer(map, {}, {})); };
+  const MeasuredMap map = known_map(0, 1);
+  EXPECT_TRUE(drawn(map) != drawn(with_a_blind_cell(map)));
+  MeasuredMap never = with_a_blind_cell(map);
+  for (MethodMap& method : never.methods)
+    for (double& locked_s : method.cells[0][0].locked_s) locked_s = 3;
+  EXPECT_TRUE(drawn(never) == drawn(with_a_blind_cell(map)));
 }
 
 TEST(ADrawnMap, IsTheSameBytesForTheSameMapAndAnotherPictureForAnother) {

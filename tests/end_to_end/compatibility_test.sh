@@ -26,6 +26,11 @@ expect "a time for each frame" 53 "$(wc -l <"$work/got10k/template/klahaag/klaha
 expect "no line for the given frame" 52 "$(wc -l <"$work/tum/template/klahaag.txt")"
 expect "the truth beside it" 53 "$(wc -l <"$work/tum/truth/klahaag.txt")"
 expect_contains "a mute method" "0,0,0,0" "$(tail -n 1 "$work/otb/mute/klahaag.txt")"
+cp -r "$work/results" "$work/untimed"
+rm "$work/untimed/klahaag/recorded-once/template/timing.csv"
+"$relock" export "$work/untimed" --as otb --out "$work/untimed-otb" >"$work/said" 2>&1
+expect "a time for each frame where none was taken" "53 0.00000000" \
+  "$(sort "$work/untimed-otb/template/times/klahaag_time.txt" | uniq -c | awk '{ print $1, $2 }')"
 
 for toolkit in otb got10k; do
   file=$(find "$work/$toolkit/template" -name 'klahaag*.txt' ! -name '*_time*')
