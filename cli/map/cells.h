@@ -23,8 +23,8 @@ struct LockedTime {
 /// degrees of freedom: seeds are independent and few, and a bootstrap of three flights is far too narrow.
 struct Estimate {
   std::optional<double> value;
-  std::vector<std::optional<double>>
-      departures;  ///< of every seed, nothing of one without a vote; they add up to 0
+  /// Of every seed, nothing of one without a vote; they add up to 0.
+  std::vector<std::optional<double>> departures;
 
   /// Without a second vote it is not known: from -infinity to infinity.
   Interval interval() const;
