@@ -174,7 +174,7 @@ void add_map(CLI::App& app, MapArguments& a) {
       ->delimiter(',');
   verb.add_option("--gap-share", a.gap_share, "of the intervals, how many are gaps; else 0.05");
   verb.add_option("--seeds", a.seeds, "flights of each cell; else 5");
-  verb.add_option("--duration", a.duration_s, "of a flight, s; else 5");
+  verb.add_option("--duration", a.duration_s, "of a flight, s, 0.5 or more; else 5");
   verb.add_option("--flight", a.flight, "a flight plan (TOML) in place of the map's own");
   verb.add_option("--target", a.target, "its target, as `relock marker` takes it; else apriltag36h11:0");
   verb.add_option("--methods", a.methods, "trackers and detectors, separated by commas")

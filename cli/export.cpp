@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <set>
 
 #include "cli/benchmark_files.h"
@@ -10,7 +9,6 @@
 #include "cli/readable.h"
 #include "cli/runs/folder.h"
 #include "cli/verbs.h"
-#include "core/csv.h"
 #include "core/error.h"
 
 namespace relock {
@@ -19,18 +17,12 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Seconds that each frame took, one a line; 0 where the method was not asked.
-std::string times_text(const fs::path& timing, std::size_t frames) {
-  std::vector<double> seconds(frames, 0.0);
-  std::ifstream in(timing);
-  if (!in) return {};
-  CsvReader rows(in, timing.string());
-  const auto frame = rows.column("frame"), wall = rows.column("wall_ms");
-  while (rows.next()) {
-    const auto i = static_cast<std::size_t>(rows.whole(frame));
-    if (i < frames) seconds[i] = rows.number(wall) / 1e3;
-  }
+std::string times_text(const std::vector<FrameCost>& costs, std::size_t frames) {
+  std::vector<Duration> walls(frames, Duration(0));
+  for (const FrameCost& cost : costs)
+    if (const auto i = static_cast<std::size_t>(cost.frame); i < frames) walls[i] = cost.wall;
   std::string text;
-  for (const double s : seconds) text += fmt::format("{:.8f}\n", s);
+  for (const Duration wall : walls) text += fmt::format("{:.8f}\n", seconds(wall));
   return text;
 }
 
@@ -66,7 +58,7 @@ void write_run(const StoredComparison& comparison, const StoredRun& run, ResultF
     if (!sequence) continue;
     files.write(result_path(format, method, sequence->name), result_text(format, *sequence, recording));
     if (const auto times = times_path(format, method, sequence->name))
-      files.write(*times, times_text(run.folder / "timing.csv", recording.frames()));
+      files.write(*times, times_text(read_costs(run.folder), recording.frames()));
     const fs::path truth = result_path(format, "truth", sequence->name);
     if (format == ResultFormat::tum && !files.has(truth)) files.write(truth, tum_truth(*sequence, recording));
   }

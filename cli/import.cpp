@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "cli/benchmark_files.h"
+#include "cli/catalogue.h"
 #include "cli/recordings.h"
 #include "cli/runs/folder.h"
 #include "cli/verbs.h"
@@ -58,12 +59,14 @@ std::size_t first_frame(const fs::path& file, std::size_t lines, const Recording
                   file.string(), lines, recording.frames(), recording.name));
 }
 
-/// Adds what one file says to the trajectory.
+/// Adds what one file says to the trajectory. Frames between a failure and the next start, or the end, are
+/// withheld, as protocol vot withholds them: the toolkit did not ask.
 void add_answers(const fs::path& file, ResultFormat format, const Recording& recording, std::size_t target,
                  Trajectory& trajectory) {
   std::vector<ForeignAnswer> answers = read_answers(format, file);
   const std::size_t first = first_frame(file, answers.size(), recording, target);
   auto& from = trajectory.judged_from[target];
+  bool failed = false;  // and not started again
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const std::size_t frame = first + i;
     FrameReport& report = trajectory.frames[frame];
@@ -78,11 +81,18 @@ void add_answers(const fs::path& file, ResultFormat format, const Recording& rec
                                     recording.name));
       report.given.push_back(target);
       if (!from) from = static_cast<FrameIndex>(frame);
+      failed = false;
+    } else if (failed) {
+      if (answer.outline)
+        throw Error::at(file.string(), i + 1,
+                        "a region between a failure (2) and the next start (1); only 0 can be there");
+      report.withheld.push_back(target);
     } else if (from && answer.outline) {
       Sighting sighting = sighting_of(*answer.outline);
       sighting.track = recording.targets[target].id;
       report.sightings.push_back(as_stored(std::move(sighting)));
     }
+    failed |= from && answer.code == VotCode::failure;
   }
   if (!from) throw Error(fmt::format("{}: the tracker is never started", file.string()));
 }
@@ -110,6 +120,23 @@ std::string text_of(const Recording& recording, const Trajectory& trajectory) {
   return text;
 }
 
+/// Yardsticks are computed, and every comparison has its own: no file can stand for one. The folder's name is what
+/// runs are told apart by.
+void check_name(const std::string& method, const fs::path& folder) {
+  if (is_yardstick(method) || is_yardstick(folder.filename().string()))
+    throw Error(
+        fmt::format("{} is a yardstick, which relock computes itself; choose another --method", method));
+}
+
+/// An imported run may be imported again; one that relock measured is not replaced by a file.
+void check_not_replaced(const fs::path& folder) {
+  const fs::path record = folder / "run.json";
+  if (fs::exists(record) && !read_record(record).imported())
+    throw Error(
+        fmt::format("{} holds a run that was made here, not imported; choose another --out or --method",
+                    folder.string()));
+}
+
 }  // namespace
 
 int import_results(const ImportArguments& arguments) {
@@ -124,13 +151,18 @@ int import_results(const ImportArguments& arguments) {
   const auto targets = targets_of(arguments, recording);
   for (std::size_t i = 0; i < targets.size(); ++i)
     add_answers(arguments.files[i], format, recording, targets[i], trajectory);
-  for (FrameReport& report : trajectory.frames) std::sort(report.given.begin(), report.given.end());
+  for (FrameReport& report : trajectory.frames) {
+    std::sort(report.given.begin(), report.given.end());
+    std::sort(report.withheld.begin(), report.withheld.end());
+  }
 
   const RunRecord record = record_of(arguments, format, sequence, trajectory);
+  const fs::path folder = run_folder(arguments.out, record);
+  check_name(arguments.method, folder);
   const ResultsLock lock = prepare_results(arguments.out);
   store_truth(arguments.out, recording, sequence.fingerprint);
-  const fs::path folder = run_folder(arguments.out, record);
   check_comparison(folder, record);
+  check_not_replaced(folder);
   store_run(folder, {record, text_of(recording, trajectory), {}});
   const std::string out = arguments.out.string();
   fmt::print("{0} on {1} is in {2}; see it with `relock timeline {2}` and `relock score {2}`\n",

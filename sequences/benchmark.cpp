@@ -74,9 +74,9 @@ std::vector<double> numbers_of(std::string_view line, const std::string& file, s
 
 std::optional<Box> box_of(std::span<const double> cells, Origin origin, const std::string& file,
                           std::size_t number) {
-  if (std::any_of(cells.begin(), cells.end(), [](double cell) { return std::isnan(cell); })) return {};
   if (cells.size() != 4)
     throw Error::at(file, number, fmt::format("a box is x, y, width, height; there are {}", cells.size()));
+  if (std::any_of(cells.begin(), cells.end(), [](double cell) { return std::isnan(cell); })) return {};
   if (cells[2] < 0 || cells[3] < 0)
     throw Error::at(file, number, fmt::format("a box of {} by {} is none", cells[2], cells[3]));
   if (cells[2] < kSmallestOutline_px || cells[3] < kSmallestOutline_px) return {};

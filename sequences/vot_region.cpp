@@ -93,10 +93,10 @@ std::optional<Outline> around_points(const std::vector<double>& cells) {
 std::optional<Outline> vot_region(std::string_view line, const std::string& file, std::size_t number) {
   if (line.starts_with('m')) return around_mask(line.substr(1), file, number);
   const auto cells = numbers_of(line, file, number);
-  if (std::any_of(cells.begin(), cells.end(), [](double cell) { return std::isnan(cell); })) return {};
-  if (cells.size() == 1 && cells[0] == 0) return {};
+  const bool nan = std::any_of(cells.begin(), cells.end(), [](double cell) { return std::isnan(cell); });
+  if (cells.size() == 1 && (nan || cells[0] == 0)) return {};
   if (cells.size() == 4) return box_of(cells, Origin::zero, file, number);
-  if (cells.size() >= 6 && cells.size() % 2 == 0) return around_points(cells);
+  if (cells.size() >= 6 && cells.size() % 2 == 0) return nan ? std::nullopt : around_points(cells);
   throw Error::at(file, number,
                   "a region is a box of four numbers, a polygon of three points or more, or a mask");
 }

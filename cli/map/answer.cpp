@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "cli/table.h"
 #include "core/error.h"
@@ -35,8 +36,10 @@ RowAnswer row_answer(const std::vector<double>& axis, const std::vector<Estimate
   return row;
 }
 
-const char* letter(Ahead ahead) {
-  return ahead == Ahead::tracking ? "T" : ahead == Ahead::detection ? "D" : "·";
+const char* letter(const Estimate& difference) {
+  if (!difference.value) return "n/a";
+  const Ahead side = ahead(difference);
+  return side == Ahead::tracking ? "T" : side == Ahead::detection ? "D" : "·";
 }
 
 /// Places on the axis with their unit: "gaps of 3.4 slots".
@@ -71,6 +74,7 @@ std::string boundary_sentence(Across across, const Boundary& boundary, const std
 }
 
 std::string blur_text(const MeasuredMap& map, std::size_t row) {
+  if (!std::isfinite(blur_of_row(map, row))) return "n/a";
   return map.plan.across == Across::size ? fmt::format("{:.1f} px", map.blur[row].mean_px)
                                          : fmt::format("{:.0f} % of D", map.blur[row].mean_percent);
 }
@@ -89,6 +93,9 @@ std::string row_sentence(const MeasuredMap& map, const Answer& answer, std::size
   const std::string tracking = fmt::format("tracking ({})", answer.tracker);
   const std::string detection = fmt::format("detection ({})", answer.detector);
   const std::string blur = blur_text(map, row);
+  if (std::none_of(answer.difference[row].begin(), answer.difference[row].end(),
+                   [](const Estimate& difference) { return difference.value.has_value(); }))
+    return fmt::format("blur {}: n/a, the target is never visible", blur);
   if (found.boundary) {
     const bool tracking_first = found.boundary->before == Ahead::tracking;
     return fmt::format(
@@ -140,6 +147,11 @@ double blur_of_row(const MeasuredMap& map, std::size_t row) {
   return map.plan.across == Across::size ? map.blur[row].mean_px : map.blur[row].mean_percent;
 }
 
+std::string blur_cell(const MeasuredMap& map, std::size_t row) {
+  const double blur = blur_of_row(map, row);
+  return std::isfinite(blur) ? one_decimal(blur) : "n/a";
+}
+
 std::string text_of(const MeasuredMap& map, const Answer& answer) {
   const SweepPlan& plan = map.plan;
   std::string text = fmt::format(
@@ -150,8 +162,8 @@ std::string text_of(const MeasuredMap& map, const Answer& answer) {
   for (const double column : plan.columns) header.push_back(fmt::format("{:g}", column));
   Table letters(header);
   for (std::size_t row = map.blur.size(); row-- > 0;) {
-    std::vector<std::string> line{fmt::format("{:.1f}", blur_of_row(map, row))};
-    for (const Estimate& difference : answer.difference[row]) line.push_back(letter(ahead(difference)));
+    std::vector<std::string> line{blur_cell(map, row)};
+    for (const Estimate& difference : answer.difference[row]) line.push_back(letter(difference));
     letters.add(line);
   }
   text += letters.text(2) + "\n";

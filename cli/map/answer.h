@@ -33,8 +33,10 @@ Answer answer(const MeasuredMap& map, const std::optional<std::string>& tracker,
 std::string title_of_columns(Across across);
 /// "mean blur, % of D"; of Across::size, where D differs from column to column, "mean blur, px".
 std::string title_of_rows(Across across);
-/// The row's blur in that unit.
+/// The row's blur in that unit; NaN where its flights never see the target.
 double blur_of_row(const MeasuredMap& map, std::size_t row);
+/// The same in a table: one decimal, or n/a.
+std::string blur_cell(const MeasuredMap& map, std::size_t row);
 
 /// What is printed: the map in letters, and a sentence for each row, from the most blur down.
 std::string text_of(const MeasuredMap& map, const Answer& answer);

@@ -75,10 +75,17 @@ std::vector<double> isotonic(std::span<const double> values) {
   return fit;
 }
 
-std::optional<Boundary> boundary_of(std::span<const double> axis, std::span<const Estimate> differences) {
+std::optional<Boundary> boundary_of(std::span<const double> whole_axis,
+                                    std::span<const Estimate> all_differences) {
+  std::vector<double> axis, values;
+  std::vector<Estimate> differences;
+  for (std::size_t i = 0; i < whole_axis.size(); ++i) {
+    if (!all_differences[i].value) continue;
+    axis.push_back(whole_axis[i]);
+    values.push_back(*all_differences[i].value);
+    differences.push_back(all_differences[i]);
+  }
   if (axis.size() < 2) return {};
-  std::vector<double> values;
-  for (const Estimate& difference : differences) values.push_back(difference.value);
   const std::vector<double> fit = monotone(values);
   const auto at = crossing(axis, fit);
   if (!at) return {};

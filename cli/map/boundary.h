@@ -22,8 +22,9 @@ struct Boundary {
   Ahead before = Ahead::tracking;   ///< who leads at lesser values of the axis
 };
 
-/// `axis`: strictly increasing. Nothing when the fit has one sign all along or is zero up to an end, and when
-/// neither side has a winner beyond doubt: then it is noise that passes through zero.
+/// `axis`: strictly increasing; places whose difference is n/a are passed over. Nothing when the fit has one sign
+/// all along or is zero up to an end, and when neither side has a winner beyond doubt: then it is noise that
+/// passes through zero.
 std::optional<Boundary> boundary_of(std::span<const double> axis, std::span<const Estimate> differences);
 
 /// Least squares among sequences that never fall (pool adjacent violators).

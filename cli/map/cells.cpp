@@ -13,44 +13,55 @@ double sum(const std::vector<double>& values) { return std::accumulate(values.be
 double mean_share(const MethodMap& method) {
   double total = 0, cells = 0;
   for (const auto& row : method.cells)
-    for (const LockedTime& cell : row) total += locked_share(cell).value, cells += 1;
+    for (const LockedTime& cell : row)
+      if (const auto share = locked_share(cell).value) total += *share, cells += 1;
   return cells > 0 ? total / cells : 0;
+}
+
+/// What two estimates make together, of their values and of every seed's departures.
+template <class Make>
+Estimate combined(const Estimate& a, const Estimate& b, const Make& make) {
+  const auto of = [&](const std::optional<double>& x, const std::optional<double>& y) {
+    return x && y ? std::optional<double>(make(*x, *y)) : std::nullopt;
+  };
+  Estimate result{of(a.value, b.value), {}};
+  for (std::size_t seed = 0; seed < a.departures.size(); ++seed)
+    result.departures.push_back(of(a.departures[seed], b.departures[seed]));
+  return result;
 }
 
 }  // namespace
 
 Interval Estimate::interval() const {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
-  if (departures.size() < 2) return {-kUnknown, kUnknown};
-  double squares = 0;
-  for (const double departure : departures) squares += departure * departure;
-  const double n = static_cast<double>(departures.size());
+  double squares = 0, n = 0;
+  for (const auto& departure : departures)
+    if (departure) squares += *departure * *departure, n += 1;
+  if (!value || n < 2) return {-kUnknown, kUnknown};
   const double half = student_quantile(n - 1) * std::sqrt(squares / (n * (n - 1)));
-  return {value - half, value + half};
+  return {*value - half, *value + half};
 }
 
 Estimate locked_share(const LockedTime& time) {
   const double visible = sum(time.visible_s);
-  Estimate share{visible > 0 ? sum(time.locked_s) / visible : 0, {}};
-  const double mean_visible = visible / static_cast<double>(time.visible_s.size());
+  Estimate share{{}, std::vector<std::optional<double>>(time.visible_s.size())};
+  if (!(visible > 0)) return share;
+  share.value = sum(time.locked_s) / visible;
+  const auto votes =
+      std::count_if(time.visible_s.begin(), time.visible_s.end(), [](double s) { return s > 0; });
+  const double mean_visible = visible / static_cast<double>(votes);
   for (std::size_t seed = 0; seed < time.visible_s.size(); ++seed)
-    share.departures.push_back(
-        visible > 0 ? (time.locked_s[seed] - share.value * time.visible_s[seed]) / mean_visible : 0);
+    if (time.visible_s[seed] > 0)
+      share.departures[seed] = (time.locked_s[seed] - *share.value * time.visible_s[seed]) / mean_visible;
   return share;
 }
 
 Estimate difference(const Estimate& a, const Estimate& b) {
-  Estimate result{a.value - b.value, {}};
-  for (std::size_t seed = 0; seed < a.departures.size(); ++seed)
-    result.departures.push_back(a.departures[seed] - b.departures[seed]);
-  return result;
+  return combined(a, b, [](double x, double y) { return x - y; });
 }
 
 Estimate between(const Estimate& a, const Estimate& b, double part) {
-  Estimate result{std::lerp(a.value, b.value, part), {}};
-  for (std::size_t seed = 0; seed < a.departures.size(); ++seed)
-    result.departures.push_back(std::lerp(a.departures[seed], b.departures[seed], part));
-  return result;
+  return combined(a, b, [&](double x, double y) { return std::lerp(x, y, part); });
 }
 
 const char* to_string(MethodClass kind) {

@@ -64,8 +64,8 @@ void draw_axes(Canvas& canvas, const MeasuredMap& map, const Panel& panel) {
                 panel.area.bottom() + 2.6, kSize, kInk, Anchor::middle);
   canvas.text(column_title(map), panel.area.middle_x(), panel.area.bottom() + 7, kSize, kInk, Anchor::middle);
   for (std::size_t row = 0; row < panel.rows; ++row)
-    canvas.text(fmt::format("{:.1f}", blur_of_row(map, row)), panel.area.x - 1.5,
-                panel.cell(row, 0).middle_y(), kSize, kInk, Anchor::right);
+    canvas.text(blur_cell(map, row), panel.area.x - 1.5, panel.cell(row, 0).middle_y(), kSize, kInk,
+                Anchor::right);
   canvas.upright_text(title_of_rows(map.plan.across), panel.area.x - 11.5, panel.area.middle_y(), kSize,
                       kInk);
   canvas.frame(panel.area, kInk, 0.25);
@@ -127,6 +127,11 @@ std::string half_width(const Estimate& estimate) {
   return std::isfinite(half) ? fmt::format("\u00b1{:.0f}", 100 * half) : "\u00b1?";
 }
 
+/// A cell whose flights never see the target: it has no colour.
+void draw_nothing(Canvas& canvas, const Rectangle& cell) {
+  canvas.text("n/a", cell.middle_x(), cell.middle_y(), kSmallSize, kInk, Anchor::middle);
+}
+
 void draw_contest(Canvas& canvas, const MeasuredMap& map, const Answer& answer, const Panel& panel) {
   const auto each = [&](auto&& draw_cell) {
     for (std::size_t row = 0; row < panel.rows; ++row)
@@ -134,14 +139,16 @@ void draw_contest(Canvas& canvas, const MeasuredMap& map, const Answer& answer, 
         draw_cell(panel.cell(row, column), answer.difference[row][column]);
   };
   each([&](const Rectangle& cell, const Estimate& difference) {
-    canvas.fill(cell, difference_colour(difference.value));
+    if (!difference.value) return;
+    canvas.fill(cell, difference_colour(*difference.value));
     if (ahead(difference) == Ahead::undecided) canvas.hatch(cell, kFaint, kHatchSpacing, kHatchWidth);
     canvas.frame(cell, kPaper, 0.2);
   });
   draw_boundary(canvas, map, answer, panel);
   each([&](const Rectangle& cell, const Estimate& difference) {
-    const Colour ground = difference_colour(difference.value), ink = ink_on(ground);
-    canvas.rimmed_text(signed_percent(difference.value), cell.middle_x(), cell.middle_y() - 1.6, kNumberSize,
+    if (!difference.value) return draw_nothing(canvas, cell);
+    const Colour ground = difference_colour(*difference.value), ink = ink_on(ground);
+    canvas.rimmed_text(signed_percent(*difference.value), cell.middle_x(), cell.middle_y() - 1.6, kNumberSize,
                        ink, ground);
     canvas.rimmed_text(half_width(difference), cell.middle_x(), cell.middle_y() + 2.2, kSmallSize, ink,
                        ground);
@@ -173,11 +180,15 @@ void draw_method(Canvas& canvas, const MeasuredMap& map, const MethodMap& method
   for (std::size_t row = 0; row < panel.rows; ++row) {
     for (std::size_t column = 0; column < panel.columns; ++column) {
       const Rectangle cell = panel.cell(row, column);
-      const double share = locked_share(method.cells[row][column]).value;
-      const Colour ground = share_colour(share);
+      const auto share = locked_share(method.cells[row][column]).value;
+      if (!share) {
+        draw_nothing(canvas, cell);
+        continue;
+      }
+      const Colour ground = share_colour(*share);
       canvas.fill(cell, ground);
       canvas.frame(cell, kPaper, 0.2);
-      canvas.text(percent(share), cell.middle_x(), cell.middle_y(), kNumberSize, ink_on(ground),
+      canvas.text(percent(*share), cell.middle_x(), cell.middle_y(), kNumberSize, ink_on(ground),
                   Anchor::middle);
     }
   }

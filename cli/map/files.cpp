@@ -17,13 +17,15 @@ constexpr double kLeastShare = 0, kLeastDifference = -1;
 
 double rounded(double value, double digits) { return std::round(value * digits) / digits; }
 
-/// n/a where it is not known.
+/// Empty, or null, where it is not known.
 std::string cell(double value) { return std::isfinite(value) ? fmt::format("{:.6f}", value) : ""; }
+std::string cell(const std::optional<double>& value) { return value ? cell(*value) : ""; }
 Json number(double value) { return std::isfinite(value) ? Json(rounded(value, 1e6)) : Json(nullptr); }
 
 std::string place_cells(const MeasuredMap& map, std::size_t row, std::size_t column) {
-  return fmt::format("{:g},{:.4f},{:.4f},{:g}", map.plan.exposures_ms[row], map.blur[row].mean_px,
-                     map.blur[row].mean_percent, map.plan.columns[column]);
+  const auto blur = [](double value) { return std::isfinite(value) ? fmt::format("{:.4f}", value) : ""; };
+  return fmt::format("{:g},{},{},{:g}", map.plan.exposures_ms[row], blur(map.blur[row].mean_px),
+                     blur(map.blur[row].mean_percent), map.plan.columns[column]);
 }
 
 /// As far as it is between two limits that the number itself has.
@@ -32,13 +34,16 @@ Interval as_far_as(const Interval& interval, double least, double most) {
 }
 
 std::string estimate_cells(const Estimate& estimate, double least) {
+  if (!estimate.value) return ",,";
   const Interval interval = as_far_as(estimate.interval(), least, 1);
-  return fmt::format("{},{},{}", cell(estimate.value), cell(interval.low), cell(interval.high));
+  return fmt::format("{},{},{}", cell(*estimate.value), cell(interval.low), cell(interval.high));
 }
 
 const char* word(Ahead ahead) {
   return ahead == Ahead::tracking ? "tracking" : ahead == Ahead::detection ? "detection" : "undecided";
 }
+/// Nothing where there is no difference.
+const char* word(const Estimate& difference) { return difference.value ? word(ahead(difference)) : ""; }
 
 double total(const std::vector<double>& values) {
   double sum = 0;
@@ -47,8 +52,9 @@ double total(const std::vector<double>& values) {
 }
 
 Json estimate_json(const Estimate& estimate, double least) {
+  if (!estimate.value) return {{"value", nullptr}, {"low", nullptr}, {"high", nullptr}};
   const Interval interval = as_far_as(estimate.interval(), least, 1);
-  return {{"value", number(estimate.value)}, {"low", number(interval.low)}, {"high", number(interval.high)}};
+  return {{"value", number(*estimate.value)}, {"low", number(interval.low)}, {"high", number(interval.high)}};
 }
 
 Json optional_json(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
@@ -84,7 +90,7 @@ Json method_json(const MeasuredMap& map, std::size_t m) {
     Json line = Json::array();
     for (std::size_t column = 0; column < method.cells[row].size(); ++column) {
       Json json = estimate_json(locked_share(method.cells[row][column]), kLeastShare);
-      json["ceiling"] = number(map.ceilings[m][row][column]);
+      json["ceiling"] = optional_json(map.ceilings[m][row][column]);
       line.push_back(std::move(json));
     }
     cells.push_back(std::move(line));
@@ -107,15 +113,15 @@ std::string csv_of(const MeasuredMap& map, const Answer& answer) {
       for (std::size_t m = 0; m < map.methods.size(); ++m) {
         const MethodMap& method = map.methods[m];
         const LockedTime& time = method.cells[row][column];
-        text += fmt::format("{},{},{},{},{:.6f},{:.6f},{:.6f},{},\n", place, csv_cell(method.name),
+        text += fmt::format("{},{},{},{},{},{:.6f},{:.6f},{},\n", place, csv_cell(method.name),
                             to_string(method.kind), estimate_cells(locked_share(time), kLeastShare),
-                            map.ceilings[m][row][column], total(time.locked_s), total(time.visible_s),
+                            cell(map.ceilings[m][row][column]), total(time.locked_s), total(time.visible_s),
                             map.plan.seeds);
       }
       const Estimate& difference = answer.difference[row][column];
-      text += fmt::format(
-          "{},{},difference,{},,,,{},{}\n", place, csv_cell(answer.tracker + " - " + answer.detector),
-          estimate_cells(difference, kLeastDifference), map.plan.seeds, word(ahead(difference)));
+      text += fmt::format("{},{},difference,{},,,,{},{}\n", place,
+                          csv_cell(answer.tracker + " - " + answer.detector),
+                          estimate_cells(difference, kLeastDifference), map.plan.seeds, word(difference));
     }
   }
   return text;
@@ -137,7 +143,7 @@ std::string json_of(const MeasuredMap& map, const Answer& answer) {
     Json line = Json::array();
     for (const Estimate& cell : answer.difference[row]) {
       line.push_back(estimate_json(cell, kLeastDifference));
-      line.back()["ahead"] = word(ahead(cell));
+      line.back()["ahead"] = cell.value ? Json(word(cell)) : Json(nullptr);
     }
     difference.push_back(std::move(line));
     boundaries.push_back(boundary_json(map, answer, row));

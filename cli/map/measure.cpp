@@ -159,8 +159,9 @@ MeasuredMap measure(const SweepPlan& plan, const SweepMatrix& sweep, const Metho
   for (const MethodSpec& spec : plan.methods) {
     map.methods.push_back({spec.text(), class_of(spec.name, methods),
                            grid(plan, LockedTime{std::vector<double>(seeds), std::vector<double>(seeds)})});
-    map.ceilings.push_back(grid(plan, 0.0));
+    map.ceilings.push_back(grid(plan, std::optional<double>()));
   }
+  std::vector<Grid<double>> votes(map.methods.size(), grid(plan, 0.0));  // flights that have a ceiling
   for (std::size_t c = 0; c < sweep.places.size(); ++c) {
     const auto [row, column, seed] = sweep.places[c];
     const Recording& recording = sweep.matrix.sequences[sweep.matrix.conditions[c].sequence].recording;
@@ -171,7 +172,11 @@ MeasuredMap measure(const SweepPlan& plan, const SweepMatrix& sweep, const Metho
             score(recording, run.trajectory, evaluate(recording, run.trajectory, Gate{})).pooled;
         LockedTime& cell = map.methods[m].cells[row][column];
         cell.locked_s[seed] = scores.locked_s, cell.visible_s[seed] = scores.visible_s;
-        map.ceilings[m][row][column] += scores.locked_share_ceiling.value_or(0) / static_cast<double>(seeds);
+        if (!scores.locked_share_ceiling) continue;
+        // The mean so far, of those that have one.
+        std::optional<double>& ceiling = map.ceilings[m][row][column];
+        const double before = ceiling.value_or(0), n = ++votes[m][row][column];
+        ceiling = before + (*scores.locked_share_ceiling - before) / n;
       }
     }
   }

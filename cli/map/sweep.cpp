@@ -12,6 +12,8 @@
 namespace relock::maps {
 namespace {
 
+constexpr double kShortestFlight_s = 0.5;
+
 void check_increasing(const std::vector<double>& values, const char* option, double least, double most) {
   if (values.empty()) throw Error(fmt::format("{} names none", option));
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -104,6 +106,11 @@ void check_sweep(const SweepPlan& plan) {
       break;
   }
   if (!(plan.gap_share > 0 && plan.gap_share <= 1)) throw Error("--gap-share must be above 0 and at most 1");
+  if (!(plan.flight.duration_s >= kShortestFlight_s))
+    throw Error(fmt::format(
+        "a map's flights of {:g} s are too short to lose a target and have it back; --duration must "
+        "be {:g} s or more",
+        plan.flight.duration_s, kShortestFlight_s));
   if (plan.seeds < 1 || plan.seeds > 1000) throw Error("--seeds must be from 1 to 1000");
   if (plan.flight.targets.size() != 1)
     throw Error("the flight of a map has one target, so that every method is asked about the same");

@@ -72,9 +72,10 @@ struct Blur {
 /// A map that was measured.
 struct MeasuredMap {
   SweepPlan plan;
-  std::vector<Blur> blur;              ///< of every row
-  std::vector<MethodMap> methods;      ///< as the plan has them
-  std::vector<Grid<double>> ceilings;  ///< of every method: locked share that was possible there
+  std::vector<Blur> blur;          ///< of every row
+  std::vector<MethodMap> methods;  ///< as the plan has them
+  /// Of every method: locked share that was possible there, the mean of the flights that see the target.
+  std::vector<Grid<std::optional<double>>> ceilings;
 };
 
 }  // namespace relock::maps

@@ -54,6 +54,9 @@ struct RunRecord {
   std::optional<Failure> cut_short;  ///< the recording could not be read on from there
 
   bool same_inputs(const RunRecord& other) const;
+  /// Whether `relock import` made it of another toolkit's result files: its program is "imported" and their
+  /// fingerprints.
+  bool imported() const { return program.starts_with("imported "); }
   Showing showing() const { return {protocol, anchor, real_time, latency}; }
   /// Whether both may stand in one table: the same inputs but for the method and the program.
   bool same_conditions(const RunRecord& other) const;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/json_text.h"
 #include "cli/map/answer.h"
 #include "core/error.h"
 #include "tests/cli/synthetic_map.h"
@@ -112,6 +113,27 @@ TEST(AnAnswer, IsAboutTheTwoThatWereNamed) {
   EXPECT_EQ(answer(map, {}, {}).tracker, "follow");
   EXPECT_EQ(answer(map, "worse", {}).tracker, "worse");
   EXPECT_THROW(answer(map, "find", {}), Error);
+}
+
+TEST(TheBoundary, PassesOverPlacesWhereNobodySeesTheTarget) {
+  auto differences = sure({0.5, 0.4, 0.2, -0.2, -0.4, -0.5});
+  differences[1] = differences[5] = {{}, {{}, {}, {}, {}}};
+  EXPECT_NEAR(boundary_of(kAxis, differences).value().at, 5, 1e-9);
+  EXPECT_FALSE(boundary_of(kAxis, std::vector<Estimate>(6)));
+}
+
+TEST(AMapsFiles, SayNothingOfACellInWhichTheTargetIsNeverVisible) {
+  const MeasuredMap map = with_a_blind_cell(known_map(0.02, 3));
+  const Answer told = answer(map, {}, {});
+  const std::string csv = csv_of(map, told), json = json_of(map, told), text = text_of(map, told);
+  EXPECT_NE(csv.find("follow,tracker,,,,,0.000000,0.000000,5,\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("follow - find,difference,,,,,,,5,\n"), std::string::npos) << csv;
+  const Json read = Json::parse(json);
+  const Json& cell = read["methods"][0]["locked_share"][0][0];
+  for (const char* key : {"value", "low", "high", "ceiling"}) EXPECT_TRUE(cell.at(key).is_null()) << key;
+  for (const char* key : {"value", "low", "high", "ahead"})
+    EXPECT_TRUE(read["difference"][0][0].at(key).is_null()) << key;
+  EXPECT_NE(text.find("n/a"), std::string::npos) << text;
 }
 
 TEST(AMapsFiles, HaveARowForEveryCellAndMethodAndForTheDifference) {

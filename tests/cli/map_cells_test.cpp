@@ -20,18 +20,31 @@ Estimate votes(std::vector<double> values) {
 
 TEST(LockedShare, OfFlightsOfOneLengthIsTheMeanWithStudentsInterval) {
   const Estimate share = votes({0.2, 0.4, 0.6});
-  EXPECT_NEAR(share.value, 0.4, 1e-12);
+  EXPECT_NEAR(share.value.value(), 0.4, 1e-12);
   // Deviation 0.2, error 0.2 / sqrt(3), and 4.302652729749464 is Student's t for two degrees of freedom.
   EXPECT_NEAR(share.interval().low, 0.4 - 4.302652729749464 * 0.2 / std::sqrt(3), 1e-9);
   EXPECT_NEAR(share.interval().high, 0.4 + 4.302652729749464 * 0.2 / std::sqrt(3), 1e-9);
 }
 
 TEST(LockedShare, WeighsLongFlightsMore) {
-  EXPECT_DOUBLE_EQ(locked_share({{1, 9}, {10, 10}}).value, 0.5);
-  EXPECT_DOUBLE_EQ(locked_share({{1, 27}, {10, 30}}).value, 0.7);
+  EXPECT_DOUBLE_EQ(locked_share({{1, 9}, {10, 10}}).value.value(), 0.5);
+  EXPECT_DOUBLE_EQ(locked_share({{1, 27}, {10, 30}}).value.value(), 0.7);
 }
 
-TEST(LockedShare, WithoutVisibleTimeIsNothing) { EXPECT_EQ(locked_share({{0, 0}, {0, 0}}).value, 0); }
+TEST(LockedShare, WithoutVisibleTimeIsNothing) {
+  const Estimate nothing = locked_share({{0, 0}, {0, 0}});
+  EXPECT_FALSE(nothing.value);
+  EXPECT_FALSE(difference(nothing, votes({0.2, 0.4})).value);
+  EXPECT_EQ(ahead(difference(nothing, votes({0.2, 0.4}))), Ahead::undecided);
+}
+
+TEST(LockedShare, IsWhatItWasWhenASeedWithoutVisibleTimeIsAdded) {
+  const Estimate two = locked_share({{2, 6}, {10, 10}}), three = locked_share({{2, 0, 6}, {10, 0, 10}});
+  EXPECT_DOUBLE_EQ(three.value.value(), two.value.value());
+  EXPECT_DOUBLE_EQ(three.interval().low, two.interval().low);
+  EXPECT_DOUBLE_EQ(three.interval().high, two.interval().high);
+  EXPECT_TRUE(holds(locked_share({{2, 0}, {10, 0}}).interval(), 1e6)) << "one seed alone decides nothing";
+}
 
 TEST(LockedShare, OfOneSeedIsUndecided) {
   EXPECT_TRUE(holds(votes({1}).interval(), 1e6));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <opencv2/imgcodecs.hpp>
 #include <set>
 
 #include "cli/map/answer.h"
@@ -62,9 +63,22 @@ TEST(ASweep, RefusesWhatNoMapCanBe) {
   refused([](SweepPlan& plan) { plan.columns = {1.5}; });
   refused([](SweepPlan& plan) { plan.exposures_ms = {40}; });  // longer than the period
   refused([](SweepPlan& plan) { plan.seeds = 0; });
+  refused([](SweepPlan& plan) { plan.flight.duration_s = 0.2; });
   refused([](SweepPlan& plan) { plan.gap_share = 0; });
   refused([](SweepPlan& plan) { plan.flight.targets.push_back({}); });
   refused([](SweepPlan& plan) { plan.flight.timing.gaps = "paper"; });
+}
+
+TEST(ADrawnMap, HasNoColourWhereTheTargetIsNeverVisible) {
+  const auto white_pixels = [](const MeasuredMap& map) {
+    const std::string png = png_of(map, answer(map, {}, {}));
+    const cv::Mat picture = cv::imdecode(std::vector<char>(png.begin(), png.end()), cv::IMREAD_GRAYSCALE);
+    return cv::countNonZero(picture == 255);
+  };
+  const MeasuredMap blind = with_a_blind_cell(known_map(0, 1));
+  MeasuredMap lost = blind;  // seen, and never locked
+  for (MethodMap& method : lost.methods) method.cells[0][0].visible_s.assign(5, 10.0);
+  EXPECT_GT(white_pixels(blind), white_pixels(lost) + 1000);
 }
 
 TEST(ADrawnMap, IsTheSameBytesForTheSameMapAndAnotherPictureForAnother) {

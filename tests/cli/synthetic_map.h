@@ -41,7 +41,18 @@ inline MeasuredMap known_map(double noise, std::uint64_t draw, int seeds = 5) {
   const auto detection = [](std::size_t row, double) { return row == 0 ? 0.7 : 0.1; };
   map.methods = {known_method("follow", MethodClass::tracker, map.plan, tracking, noise, 2 * draw),
                  known_method("find", MethodClass::detector, map.plan, detection, noise, 2 * draw + 1)};
-  map.ceilings.assign(2, Grid<double>(2, std::vector<double>(6, 1.0)));
+  map.ceilings.assign(2, Grid<std::optional<double>>(2, std::vector<std::optional<double>>(6, 1.0)));
+  return map;
+}
+
+/// In its first cell no flight sees the target.
+inline MeasuredMap with_a_blind_cell(MeasuredMap map) {
+  for (MethodMap& method : map.methods) {
+    LockedTime& cell = method.cells[0][0];
+    cell.locked_s.assign(cell.locked_s.size(), 0);
+    cell.visible_s.assign(cell.visible_s.size(), 0);
+  }
+  for (auto& ceilings : map.ceilings) ceilings[0][0].reset();
   return map;
 }
 

@@ -26,6 +26,11 @@ expect "a time for each frame" 53 "$(wc -l <"$work/got10k/template/klahaag/klaha
 expect "no line for the given frame" 52 "$(wc -l <"$work/tum/template/klahaag.txt")"
 expect "the truth beside it" 53 "$(wc -l <"$work/tum/truth/klahaag.txt")"
 expect_contains "a mute method" "0,0,0,0" "$(tail -n 1 "$work/otb/mute/klahaag.txt")"
+cp -r "$work/results" "$work/untimed"
+rm "$work/untimed/klahaag/recorded-once/template/timing.csv"
+"$relock" export "$work/untimed" --as otb --out "$work/untimed-otb" >"$work/said" 2>&1
+expect "a time for each frame where none was taken" "53 0.00000000" \
+  "$(sort "$work/untimed-otb/template/times/klahaag_time.txt" | uniq -c | awk '{ print $1, $2 }')"
 
 for toolkit in otb got10k; do
   file=$(find "$work/$toolkit/template" -name 'klahaag*.txt' ! -name '*_time*')
@@ -43,13 +48,30 @@ expect "run by VOT's rules" 0 $?
 "$relock" export "$work/supervised" --as vot --out "$work/vot" >"$work/said" 2>&1
 expect "export as vot" 0 $?
 codes=$(grep -cx 2 "$work/vot/still/baseline/klahaag/klahaag_001.txt")
-"$relock" import "$work/vot/still/baseline/klahaag/klahaag_001.txt" --as vot --sequence klahaag --method still \
+"$relock" import "$work/vot/still/baseline/klahaag/klahaag_001.txt" --as vot --sequence klahaag --method published \
   --out "$work/vot-back" >"$work/said" 2>&1
 expect "import as vot" 0 $?
 own=$("$relock" compatibility "$work/supervised" --eao 5 20 2>&1)
 back=$("$relock" compatibility "$work/vot-back" --eao 5 20 2>&1)
 expect "vot: failures are those of the file" "$codes" "$(awk '$1 == "still" {print $4; exit}' <<<"$own")"
-expect "vot: the same scores" "$(row_of still "$own" | head -n 1)" "$(row_of still "$back" | head -n 1)"
+expect "vot: the same scores" "$(row_of still "$own" | head -n 1)" \
+  "$(row_of published "$back" | head -n 1 | sed 's/^published/still/')"
+
+# Between a failure and the next start nothing was asked, so nothing was missed.
+verdicts_of() { cut -d , -f 1-3 "$1/klahaag/recorded-vot/$2/verdicts.csv"; }  # RESULTS METHOD
+"$relock" run --sequence klahaag --methods linear --protocol vot --out "$work/linear" >"$work/said" 2>&1
+"$relock" export "$work/linear" --as vot --out "$work/linear-vot" >"$work/said" 2>&1
+file=$work/linear-vot/linear/baseline/klahaag/klahaag_001.txt
+"$relock" import "$file" --as vot --sequence klahaag --method published --out "$work/linear-back" >"$work/said" 2>&1
+expect "linear: import as vot" 0 $?
+"$relock" score "$work/linear" >"$work/said" 2>&1
+"$relock" score "$work/linear-back" >"$work/said" 2>&1
+expect "linear fails" yes "$([[ $(grep -cx 2 "$file") -gt 0 ]] && echo yes)"
+expect "vot: verdicts differ on failures only" "$(awk '$0 == "2" { print NR - 1 }' "$file")" \
+  "$(diff <(verdicts_of "$work/linear" linear) <(verdicts_of "$work/linear-back" published) | awk -F '[ ,]' '/^>/ { print $2 }')"
+awk 'failed && $0 == "0" { $0 = "1,1,9,9"; failed = 0 } $0 == "2" { failed = 1 } { print }' "$file" >"$work/goes-on.txt"
+said=$("$relock" import "$work/goes-on.txt" --as vot --sequence klahaag --method x --out "$work/none" 2>&1)
+expect_contains "a region after a failure" "a region between a failure (2) and the next start (1)" "$said"
 
 # Protocol multistart: one table over all starts.
 "$relock" run --sequence klahaag --methods template --protocol multistart --out "$work/starts" >"$work/said" 2>&1
@@ -79,6 +101,22 @@ expect_contains "too few lines" "there are 50 lines for the 53 pictures of klaha
 sed '7s/.*/1,2,3/' "$work/otb/template/klahaag.txt" >"$work/three.txt"
 said=$("$relock" import "$work/three.txt" --as otb --sequence klahaag --method x --out "$work/none" 2>&1)
 expect_contains "three numbers" "three.txt:7: a box is x, y, width, height; there are 3" "$said"
+sed '7s/.*/nan,1,2/' "$work/otb/template/klahaag.txt" >"$work/three.txt"
+said=$("$relock" import "$work/three.txt" --as otb --sequence klahaag --method x --out "$work/none" 2>&1)
+expect_contains "three of them, and one is none" "three.txt:7: a box is x, y, width, height; there are 3" "$said"
+run=$work/results/klahaag/recorded-once/template
+before=$(cksum "$run"/*)
+said=$("$relock" import "$work/otb/template/klahaag.txt" --as otb --sequence klahaag --method template --out "$work/results" 2>&1)
+expect "in the place of a run: exit status" 2 $?
+expect_contains "in the place of a run" "holds a run that was made here, not imported; choose another --out" "$said"
+expect "the run is what it was" "$before" "$(cksum "$run"/*)"
+"$relock" import "$work/otb/template/klahaag.txt" --as otb --sequence klahaag --method template --out "$work/otb-back" >"$work/said" 2>&1
+expect "in the place of an imported run" 0 $?
+for name in oracle "still "; do
+  said=$("$relock" import "$work/otb/template/klahaag.txt" --as otb --sequence klahaag --method "$name" --out "$work/none" 2>&1)
+  expect "\"$name\": exit status" 2 $?
+  expect_contains "the name of a yardstick" "is a yardstick, which relock computes itself; choose another --method" "$said"
+done
 said=$("$relock" import "$work/otb/template/klahaag.txt" --as otb --sequence klahaag-prints --method x --out "$work/none" 2>&1)
 expect_contains "one file for three targets" "name theirs with --target" "$said"
 said=$("$relock" import "$work/tum/template/klahaag.txt" --as tum --sequence klahaag --method x --out "$work/none" 2>&1)

@@ -76,9 +76,10 @@ mistake() {  # WHAT SENTENCE ARGUMENT...
   expect "$what: one line" 1 "$(wc -l <<<"$error")"
 }
 mistake "no axes" "they are gap,blur, rate,blur and size,blur" --axes blur,gap
+mistake "flights too short" "--duration must be 0.5 s or more" --duration 0.2
 mistake "no detector" "--methods names no detector" --methods kcf,csrt
 mistake "an unknown method" 'did you mean "csrt"?' --methods crst,apriltag
-mistake "a detector that reads other codes" "reads codes of" --methods kcf,aruco --duration 0.2 --seeds 1 --exposures 4 --across 1 --out "$work/codes"
+mistake "a detector that reads other codes" "reads codes of" --methods kcf,aruco --duration 0.5 --seeds 1 --exposures 4 --across 1 --out "$work/codes"
 mistake "an exposure too long" "--exposures has 50" --exposures 50
 mistake "a tracker that is not there" "--tracker csrt" --methods kcf,apriltag --tracker csrt
 mistake "other flights" "was flown by another plan" --out "$work/one" "${small[@]}" --target apriltag36h11:4

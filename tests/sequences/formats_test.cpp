@@ -265,7 +265,7 @@ TEST(Vot, ReadsBoxesPolygonsAndMasksAsTheSamePlace) {
   for (const char* absent : {"nan,nan,nan,nan", "0", "0,0,0,0", "m0,0,0,0,0", "m3,3,2,2,4"})
     EXPECT_FALSE(region(absent)) << absent;
   for (const char* wrong :
-       {"", "7", "3,4", "1,2,3,4,5", "1,2,-3,4", "m1,2,3", "m0,0,2,2,0,5", "m0,0,2,x", "box"})
+       {"", "7", "3,4", "nan,1,2", "1,2,3,4,5", "1,2,-3,4", "m1,2,3", "m0,0,2,2,0,5", "m0,0,2,x", "box"})
     EXPECT_NE(fault_of([&] { region(wrong); }).find("f:1: "), std::string::npos) << wrong;
 }
 
