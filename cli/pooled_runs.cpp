@@ -51,7 +51,7 @@ std::vector<PooledRuns> pooled(const std::vector<StoredComparison>& all,
   for (const StoredComparison& comparison : all) {
     const Gate gate = gate_of(comparison, asked);
     for (const StoredRun& run : comparison.runs) {
-      if (!known.first(run)) continue;
+      if (!known.first(run, gate)) continue;
       PooledRuns& group = group_of(groups, run.record, gate);
       method_of(group.methods, run.record)
           .runs.push_back({&comparison, &run, evaluate(comparison.recording, run.trajectory, gate)});

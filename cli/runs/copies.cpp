@@ -41,9 +41,11 @@ std::uint64_t hash_of(const StoredRun& run) {
 
 }  // namespace
 
-bool KnownRuns::first(const StoredRun& run) {
+bool KnownRuns::first(const StoredRun& run, const Gate& judged_by) {
   const RunRecord& r = run.record;
-  return known_.insert({r.recording, r.fingerprint, r.method, r.gaps, r.showing(), r.gate, hash_of(run)})
+  return known_
+      .insert({r.recording, r.fingerprint, r.method, r.gaps, r.showing(), r.gate + to_string(judged_by),
+               hash_of(run)})
       .second;
 }
 

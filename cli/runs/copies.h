@@ -17,8 +17,8 @@ namespace relock {
 class KnownRuns {
  public:
   /// Whether no copy of this run has been shown before. Copies have the same method, recording, gap pattern and
-  /// protocol, and say the same.
-  bool first(const StoredRun& run);
+  /// protocol, are judged by the same gate, and say the same.
+  bool first(const StoredRun& run, const Gate& judged_by);
 
  private:
   using Key =

@@ -108,7 +108,7 @@ std::size_t ScoreTable::targets() const {
 void ScorePool::add(const ScoredComparison& compared) {
   const auto parts = parts_of(compared.stored.recording);
   for (std::size_t run = 0; run < compared.stored.runs.size(); ++run) {
-    if (!known_.first(compared.stored.runs[run])) continue;
+    if (!known_.first(compared.stored.runs[run], compared.gate)) continue;
     MethodPool* pool = nullptr;
     const auto real_time = real_time_scores(compared, run);
     for (const Part& part : parts) {
