@@ -16,8 +16,8 @@ namespace relock {
 /// where nothing was drawn, or in two folders.
 class KnownRuns {
  public:
-  /// Whether no copy of this run has been shown before. Copies have the same method, recording, gap pattern and
-  /// protocol, are judged by the same gate, and say the same.
+  /// Whether no copy of this run has been shown before. Copies have the same method, recording, gap pattern, protocol
+  /// and gate, and say the same.
   bool first(const StoredRun& run, const Gate& judged_by);
 
  private:
