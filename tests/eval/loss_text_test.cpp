@@ -15,18 +15,7 @@ struct Words {
 Words words(const std::string& letters) {
   Recording recording = made_flight(std::string(letters.size(), 'v'));
   for (TargetTruth& truth : recording.truth) truth.blur = Vec2{3, 4}, truth.tilt_deg = 20.4;
-  Trajectory trajectory;
-  trajectory.judged_from = {0};
-  trajectory.failed_from = {std::nullopt};
-  for (std::size_t i = 0; i < letters.size(); ++i) {
-    FrameReport report;
-    if (letters[i] == '.') report.delivery = Delivery::dropped;
-    if (letters[i] == 'g') report.given = {0};
-    Box box = bounds(*recording.truth_of(i, 0).outline);
-    if (letters[i] == 'S') box.x += 200;
-    if (letters[i] == 'H' || letters[i] == 'S') report.sightings = {sighting_of(box)};
-    trajectory.frames.push_back(report);
-  }
+  const Trajectory trajectory = said(recording, letters);
   const Loss loss = evaluate(recording, trajectory).targets[0].losses.at(0);
   const Circumstances c = circumstances(recording, trajectory, 0, loss);
   return {onset_text(recording, loss, c, gap_note(c)), end_text(recording, loss), arrival_text(c),

@@ -1,6 +1,7 @@
 #include "tests/eval/made_flight.h"
 
 #include "core/error.h"
+#include "eval/judgement/evaluation.h"
 
 namespace relock {
 
@@ -19,6 +20,29 @@ Recording made_flight(const std::string& letters) {
     made.truth.push_back(truth);
   }
   return made;
+}
+
+Trajectory said(const Recording& recording, const std::string& letters, Vec2 aside) {
+  Trajectory made;
+  made.judged_from = {0};
+  made.failed_from = {std::nullopt};
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    FrameReport report;
+    if (letters[i] == '.') report.delivery = Delivery::dropped;
+    if (letters[i] == 'g') report.given = {0};
+    Box box = bounds(*recording.truth_of(i, 0).outline);
+    if (letters[i] == 'S') box.x += aside.x, box.y += aside.y;
+    if (letters[i] == 'H' || letters[i] == 'S') report.sightings = {sighting_of(box)};
+    made.frames.push_back(report);
+  }
+  return made;
+}
+
+std::string verdicts(const Recording& recording, const Trajectory& trajectory, std::size_t target) {
+  std::string line;
+  const Evaluation evaluation = evaluate(recording, trajectory);
+  for (const Judgement& j : evaluation.targets[target].judgements) line += letter(j.verdict);
+  return line;
 }
 
 MadeFrames::MadeFrames(const Recording& recording, FrameIndex unreadable_from)

@@ -69,32 +69,10 @@ TEST(AReflectedRecording, KeepsEveryIntervalAndTurnsBlurRound) {
 }
 
 /// Says nothing, and remembers what it was shown.
-class Watcher final : public Method {
- public:
-  bool takes_boxes() const override { return true; }
-  void start(const Frame& frame, const Target&, const Box& box) override {
-    started.push_back(frame.index);
-    given = box;
-  }
-  Sightings locate(const Frame& frame) override {
-    asked.push_back(frame.index);
-    return {};
-  }
-  std::vector<FrameIndex> started, asked;
-  Box given;
-};
-
-std::string verdicts(const Recording& recording, const Trajectory& trajectory) {
-  std::string line;
-  const Evaluation evaluation = evaluate(recording, trajectory);
-  for (const Judgement& j : evaluation.targets[0].judgements) line += letter(j.verdict);
-  return line;
-}
-
 TEST(ARunFromAnAnchor, SeesNothingBeforeIt) {
   const Recording recording = reflected(made_flight("vvvvvvvv"));
   MadeFrames frames(recording);
-  Watcher method;
+  Scripted method(nothing);
   ReplayOptions options;
   options.protocol = Protocol::multistart;
   options.from = start_of({5, Direction::backward}, recording.frames());
@@ -108,7 +86,7 @@ TEST(ARunFromAnAnchor, SeesNothingBeforeIt) {
 TEST(ATrajectory, KeepsWithheldFramesInItsFile) {
   const Recording recording = made_flight("vvvvvv");
   MadeFrames frames(recording);
-  Watcher method;
+  Scripted method(nothing);
   ReplayOptions options;
   options.from = 3;
   const Replay done = replay(method, frames, recording, Schedule(recording.frames()), options);

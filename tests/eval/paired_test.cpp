@@ -14,26 +14,13 @@
 namespace relock {
 namespace {
 
-/// What a detector said, one frame a letter: H where the target is, S 30 px beside it, M nothing; . never came.
-Trajectory said(const Recording& recording, const std::string& letters) {
-  Trajectory arm;
-  arm.judged_from = {0};
-  arm.failed_from = {{}};
-  for (std::size_t frame = 0; frame < letters.size(); ++frame) {
-    FrameReport report;
-    if (letters[frame] == '.') report.delivery = Delivery::dropped;
-    if (letters[frame] == 'H' || letters[frame] == 'S') {
-      Box box = bounds(*recording.truth_of(frame, 0).outline);
-      if (letters[frame] == 'S') box.y += 30;
-      report.sightings = {sighting_of(box)};
-    }
-    arm.frames.push_back(report);
-  }
-  return arm;
+/// What a detector said; S is 30 px beside the target.
+Trajectory beside(const Recording& recording, const std::string& letters) {
+  return said(recording, letters, {0, 30});
 }
 
 GapCost cost(const Recording& recording, const std::string& without, const std::string& with) {
-  const Trajectory a = said(recording, without), b = said(recording, with);
+  const Trajectory a = beside(recording, without), b = beside(recording, with);
   return cost_of_gaps(std::vector<Pair>{{recording, a, b}});
 }
 
@@ -81,7 +68,7 @@ Alone delivered_alone(const Recording& recording, const Trajectory& trajectory, 
 }
 
 std::size_t losses_alone(const Recording& recording, const std::string& letters) {
-  const Trajectory arm = said(recording, letters);
+  const Trajectory arm = beside(recording, letters);
   const Alone alone = delivered_alone(recording, arm, recording.period);
   return evaluate(alone.recording, alone.trajectory).targets[0].losses.size();
 }
@@ -195,7 +182,7 @@ TEST(CostOfGaps, LeavesTheAgeOfFixesToTheAvailabilityOnAllRecordedFrames) {
 
 TEST(CostOfGaps, OfErrorsIsTakenOverHitsOfBothArmsOnTheSameFrame) {
   const Recording recording = visible(9);
-  Trajectory without = said(recording, "HHHHHHHHH"), with = said(recording, "HHH.HSMHH");
+  Trajectory without = beside(recording, "HHHHHHHHH"), with = beside(recording, "HHH.HSMHH");
   for (FrameReport& report : without.frames) report.sightings.front().centre.x += 1;
   for (const std::size_t frame : {0u, 1u, 2u, 4u, 7u, 8u}) with.frames[frame].sightings.front().centre.x += 3;
   without.frames[5].sightings.front().centre.x += 8;  // no Hit in the other arm
@@ -210,8 +197,8 @@ TEST(CostOfGaps, PoolsSequencesAndSeedsFrameByFrame) {
   Random random(11);
   std::vector<Trajectory> arms;
   for (int n = 0; n < 3; ++n) {
-    arms.push_back(said(first, outages(random, 200)));
-    arms.push_back(said(first, with_gaps(random, outages(random, 200))));
+    arms.push_back(beside(first, outages(random, 200)));
+    arms.push_back(beside(first, with_gaps(random, outages(random, 200))));
   }
   const std::vector<Pair> pairs{
       {first, arms[0], arms[1]}, {first, arms[2], arms[3]}, {second, arms[4], arms[5]}};
@@ -256,8 +243,8 @@ TEST(CommonFrames, AreJudgedAsIfTheOthersHadNeverBeenRecorded) {
   const Recording recording = visible(400);
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     Random random(seed);
-    const Trajectory without = said(recording, outages(random, 400));
-    const Trajectory with = said(recording, with_gaps(random, outages(random, 400)));
+    const Trajectory without = beside(recording, outages(random, 400));
+    const Trajectory with = beside(recording, with_gaps(random, outages(random, 400)));
     const CommonFrames both = common_frames(recording, without, with);
     for (const Trajectory* arm : {&both.without, &both.with}) {
       const Alone alone = delivered_alone(both.recording, *arm, nominal_period([&] {
@@ -285,7 +272,7 @@ TEST(CommonFrames, HaveTheirOwnPeriodWhateverWasStated) {
   std::string with;
   for (int n = 0; n < 20; ++n) with += "H..";
   const CommonFrames both =
-      common_frames(recording, said(recording, std::string(60, 'H')), said(recording, with));
+      common_frames(recording, beside(recording, std::string(60, 'H')), beside(recording, with));
   EXPECT_EQ(both.recording.period, 3 * recording.period);
 }
 
@@ -299,7 +286,7 @@ LossEnd end_of_loss(const std::string& labels, const std::string& delivered) {
   std::string with = without;
   for (std::size_t frame = 0; frame < labels.size(); ++frame)
     if (delivered[frame] == '.') with[frame] = '.';
-  const CommonFrames both = common_frames(recording, said(recording, without), said(recording, with));
+  const CommonFrames both = common_frames(recording, beside(recording, without), beside(recording, with));
   const auto losses = evaluate(both.recording, both.with).targets[0].losses;
   return losses.size() == 1 ? losses[0].end : LossEnd::reset;
 }
@@ -319,7 +306,7 @@ TEST(CommonFrames, StopLabelsWhereTheyStopOnAllRecordedFrames) {
 
 TEST(CommonFrames, EndBeforeTheFirstResetOfEitherArm) {
   const Recording recording = visible(40);
-  Trajectory without = said(recording, std::string(40, 'H')), with = without;
+  Trajectory without = beside(recording, std::string(40, 'H')), with = without;
   without.frames[0].given = with.frames[0].given = {0};
   EXPECT_FALSE(common_frames(recording, without, with).ends_at_reset);
   without.frames[30].given = {0};
@@ -332,7 +319,7 @@ TEST(CommonFrames, EndBeforeTheFirstResetOfEitherArm) {
 
 TEST(CommonFrames, DoNotTakeALateFirstStartForAReset) {
   const Recording recording = visible(40);
-  Trajectory without = said(recording, std::string(40, 'H')), with = without;
+  Trajectory without = beside(recording, std::string(40, 'H')), with = without;
   without.frames[2].given = {0};  // it was busy with another target on frame 0, from which this one is judged
   with.frames[5].given = {0};
   const CommonFrames both = common_frames(recording, without, with);

@@ -147,20 +147,6 @@ TEST(ListedLatencies, HoldUntilTheNextOneThatIsListed) {
 
 // Replay and what is in force.
 
-/// A method that says what `say` says.
-class Scripted final : public Method {
- public:
-  explicit Scripted(std::function<Sightings(const Frame&)> say) : say_(std::move(say)) {}
-  bool takes_boxes() const override { return true; }
-  void start(const Frame&, const Target&, const Box&) override {}
-  Sightings locate(const Frame& frame) override { return say_(frame); }
-
- private:
-  std::function<Sightings(const Frame&)> say_;
-};
-
-Sightings nothing(const Frame&) { return {}; }
-
 /// A target of 40 px that moves 15 px a frame: an answer is no Hit any more on the next one.
 Recording fast_flight(const std::string& letters) {
   Recording recording = made_flight(letters);
@@ -182,13 +168,6 @@ Replay in_real_time(Method& method, const Recording& recording, const std::strin
   options.protocol = protocol;
   options.real_time = RealTime{{}, parse_latency(latency)};
   return replay(method, frames, recording, schedule, options);
-}
-
-std::string verdicts(const Recording& recording, const Trajectory& trajectory, std::size_t target = 0) {
-  std::string line;
-  const Evaluation evaluation = evaluate(recording, trajectory);
-  for (const Judgement& j : evaluation.targets[target].judgements) line += letter(j.verdict);
-  return line;
 }
 
 std::string in_force_verdicts(const Recording& recording, const Replay& done) {

@@ -18,31 +18,6 @@
 namespace relock {
 namespace {
 
-/// A method that says what `say` says, and remembers on which frames it was started and asked.
-class Scripted final : public Method {
- public:
-  explicit Scripted(std::function<Sightings(const Frame&)> say, bool boxes = true)
-      : say_(std::move(say)), boxes_(boxes) {}
-  bool takes_boxes() const override { return boxes_; }
-  void start(const Frame& frame, const Target&, const Box& box) override {
-    started.push_back(frame.index);
-    given = box;
-  }
-  Sightings locate(const Frame& frame) override {
-    asked.push_back(frame.index);
-    return say_(frame);
-  }
-
-  std::vector<FrameIndex> started, asked;
-  Box given;
-
- private:
-  std::function<Sightings(const Frame&)> say_;
-  bool boxes_;
-};
-
-Sightings nothing(const Frame&) { return {}; }
-
 Replay replayed(Method& method, const Recording& recording, Protocol protocol,
                 const std::vector<std::size_t>& dropped = {}) {
   MadeFrames frames(recording);
@@ -61,13 +36,6 @@ Sightings each_once(const Sightings& said) {
   return once;
 }
 
-std::string verdicts(const Recording& recording, const Trajectory& trajectory) {
-  std::string line;
-  const Evaluation evaluation = evaluate(recording, trajectory);
-  for (const Judgement& j : evaluation.targets[0].judgements) line += letter(j.verdict);
-  return line;
-}
-
 TEST(Start, IsOnTheFirstFrameThatShowsTheWholeTargetUnoccluded) {
   const Recording recording = made_flight("a?ovvv");
   Scripted method(nothing);
@@ -79,7 +47,7 @@ TEST(Start, IsOnTheFirstFrameThatShowsTheWholeTargetUnoccluded) {
 
 TEST(Start, IsLeftOutForMethodsThatTakeNoBox) {
   const Recording recording = made_flight("vvvv");
-  Scripted method(nothing, false);
+  Scripted method(nothing, Scripted::Boxes::not_taken);
   EXPECT_EQ(verdicts(recording, replayed(method, recording, Protocol::once).trajectory), " MMM");
   EXPECT_TRUE(method.started.empty());
   EXPECT_EQ(verdicts(recording, replayed(method, recording, Protocol::detect).trajectory), "MMMM");

@@ -17,18 +17,7 @@ Told told(const std::string& letters, int columns = 100, std::int64_t slots_a_fr
   Recording recording = made_flight(std::string(letters.size(), 'v'));
   for (std::size_t i = 0; i < letters.size(); ++i)
     recording.captured[i] = Time{static_cast<std::int64_t>(i) * slots_a_frame * recording.period};
-  Trajectory trajectory;
-  trajectory.judged_from = {0};
-  trajectory.failed_from = {std::nullopt};
-  for (std::size_t i = 0; i < letters.size(); ++i) {
-    FrameReport report;
-    if (letters[i] == '.') report.delivery = Delivery::dropped;
-    if (letters[i] == 'g') report.given = {0};
-    Box box = std::get<Box>(*recording.truth_of(i, 0).outline);
-    if (letters[i] == 'S') box.x += 200;
-    if (letters[i] == 'H' || letters[i] == 'S') report.sightings = {sighting_of(box)};
-    trajectory.frames.push_back(report);
-  }
+  const Trajectory trajectory = said(recording, letters);
   const Evaluation evaluation = evaluate(recording, trajectory);
   return {lane(recording, evaluation.targets[0], {columns}), story(recording, trajectory, evaluation, 0)};
 }

@@ -13,24 +13,6 @@
 namespace relock {
 namespace {
 
-/// Remembers on which frames it was started and asked.
-class Scripted final : public Method {
- public:
-  explicit Scripted(std::function<Sightings(const Frame&)> say) : say_(std::move(say)) {}
-  bool takes_boxes() const override { return true; }
-  void start(const Frame& frame, const Target&, const Box&) override { started.push_back(frame.index); }
-  Sightings locate(const Frame& frame) override {
-    asked.push_back(frame.index);
-    return say_(frame);
-  }
-  std::vector<FrameIndex> started, asked;
-
- private:
-  std::function<Sightings(const Frame&)> say_;
-};
-
-Sightings nothing(const Frame&) { return {}; }
-
 /// The target of a made flight, and a second one that does not move.
 Recording two_targets(const std::string& letters) {
   Recording recording = made_flight(letters);
@@ -58,13 +40,6 @@ Replay by_vot(Method& method, const Recording& recording, const std::vector<std:
   ReplayOptions options;
   options.protocol = Protocol::vot;
   return replay(method, frames, recording, schedule, options);
-}
-
-std::string verdicts(const Recording& recording, const Trajectory& trajectory, std::size_t target = 0) {
-  std::string line;
-  const Evaluation evaluation = evaluate(recording, trajectory);
-  for (const Judgement& j : evaluation.targets[target].judgements) line += letter(j.verdict);
-  return line;
 }
 
 /// Special codes as in VOT's result files; T tracked, u unjudged.
