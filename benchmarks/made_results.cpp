@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cli/runs/folder.h"
+#include "cli/runs/truth.h"
 #include "core/random.h"
 #include "eval/trajectory_csv.h"
 

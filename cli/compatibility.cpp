@@ -48,8 +48,6 @@ struct ToolkitOptions {
   std::string alignment_name;
 };
 
-bool multistart(Protocol protocol) { return to_string(protocol) == "multistart"; }
-
 /// "recorded-once"; all anchors of protocol multistart are one condition.
 std::string condition_of(const StoredComparison& comparison) {
   std::string name = comparison.folder.filename().string();
@@ -77,10 +75,6 @@ std::vector<Group> grouped(const std::vector<StoredComparison>& all) {
   std::vector<Group> sorted;
   for (auto& [condition, group] : groups) sorted.push_back(std::move(group));
   return sorted;
-}
-
-std::string cell(const std::optional<double>& value, int decimals) {
-  return value ? fmt::format("{:.{}f}", *value, decimals) : "n/a";
 }
 
 std::string count(std::size_t n) { return fmt::format("{}", n); }
@@ -154,7 +148,7 @@ void print(const Group& group, const ToolkitOptions& options) {
     print_got10k(group);
   }
   if (fits(ResultFormat::vot, group.protocol)) print_vot(group, options.vot);
-  if (multistart(group.protocol)) print_multistart(group, options.multistart);
+  if (group.protocol == Protocol::multistart) print_multistart(group, options.multistart);
   if (fits(ResultFormat::tum, group.protocol)) print_ape(group, options);
 }
 
@@ -190,7 +184,7 @@ Json scores_of(const Group& group, const std::string& method, std::span<const An
                    {"eao_high", options.vot.eao_high},
                    {"expected_overlap", v.expected_overlap}};
   }
-  if (multistart(group.protocol)) {
+  if (group.protocol == Protocol::multistart) {
     const VotMultistartScores v = vot_multistart_scores(sequences, options.multistart);
     json["vot_multistart"] = {{"runs", v.runs},
                               {"accuracy", number(v.accuracy)},

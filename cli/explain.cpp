@@ -94,10 +94,6 @@ std::vector<Told> told(const Case& c) {
 
 // Columns
 
-std::string cell(const std::optional<double>& value, int decimals) {
-  return value ? fmt::format("{:.{}f}", *value, decimals) : "n/a";
-}
-
 std::string spoken(LossEnd end) {
   std::string text(to_string(end));
   std::replace(text.begin(), text.end(), '_', ' ');

@@ -45,4 +45,31 @@ void write_file(const fs::path& path, const std::string& content) {
   }
 }
 
+std::string slug(std::string_view text) {
+  std::string name;
+  for (const char c : text) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '_' || c == '-';
+    if (plain) {
+      name += c;
+    } else if (!name.empty() && name.back() != '-') {
+      name += '-';
+    }
+  }
+  while (!name.empty() && name.back() == '-') name.pop_back();
+  return name.empty() || name.front() == '.' ? "_" + name : name;
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code fault;
+  fs::create_directories(folder, fault);
+  if (fault) throw Error(fmt::format("{} cannot be made ({})", folder.string(), fault.message()));
+}
+
+void put_in_place(const fs::path& finished, const fs::path& place) {
+  const fs::path old = temporary_name(place.string() + ".old");
+  if (fs::exists(place)) fs::rename(place, old);
+  fs::rename(finished, place);
+  fs::remove_all(old);
+}
+
 }  // namespace relock

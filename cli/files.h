@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace relock {
 
@@ -17,5 +18,15 @@ std::filesystem::path numbered(const std::filesystem::path& first, std::size_t n
 
 /// Where a draft of `path` is written before it is renamed.
 std::filesystem::path temporary_name(const std::filesystem::path& path);
+
+/// A name that any file system takes: whatever is not a letter, a digit, '.', '_' or '-' becomes '-'.
+std::string slug(std::string_view text);
+
+/// Makes a folder, and those that it is in; throws Error when it cannot be made.
+void make_folder(const std::filesystem::path& folder);
+
+/// Puts a finished folder in its place. An older one is moved away first, whole, and then removed: whoever is
+/// killed in between leaves nothing that is half there.
+void put_in_place(const std::filesystem::path& finished, const std::filesystem::path& place);
 
 }  // namespace relock

@@ -9,6 +9,7 @@
 #include "cli/catalogue.h"
 #include "cli/recordings.h"
 #include "cli/runs/folder.h"
+#include "cli/runs/truth.h"
 #include "cli/verbs.h"
 #include "cli/version.h"
 #include "core/error.h"

@@ -109,10 +109,6 @@ GapExperiment experiment_on(const std::vector<Arms>& all, const std::optional<st
 
 // Text
 
-std::string cell(const std::optional<double>& value, int decimals) {
-  return value ? fmt::format("{:.{}f}", *value, decimals) : "n/a";
-}
-
 /// With its sign; what rounds to nothing has none.
 std::string signed_number(const std::optional<double>& value, int decimals) {
   if (!value) return "n/a";

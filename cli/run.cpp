@@ -12,6 +12,7 @@
 #include "cli/runs/folder.h"
 #include "cli/runs/matrix.h"
 #include "cli/runs/pool.h"
+#include "cli/runs/truth.h"
 #include "cli/table.h"
 #include "cli/terminal.h"
 #include "cli/verbs.h"

@@ -42,19 +42,18 @@ std::optional<std::string> left_out(const PooledRuns& group) {
 
 void print_group(const PooledRuns& group) {
   if (const auto why = left_out(group)) return fmt::print("  left out: {}\n", *why);
-  for (const PooledMethod& method : group.methods)
-    fmt::print("  {} {}\n", method.method, sentence(survival_of(method)));
-  fmt::print(
-      "  \"fails again after about {:.0f} frames, within {:.0f} seconds\" (the paper, of its own tracker):",
-      kClaimFrames, kClaimSeconds);
-  bool first = true;
+  std::string claims;
   for (const PooledMethod& method : group.methods) {
     const TrackingSurvivals survival = survival_of(method);
+    fmt::print("  {} {}\n", method.method, sentence(survival));
     if (method.yardstick || survival.starts == 0) continue;
-    fmt::print("{} {} {}", first ? "" : ",", method.method, to_string(judge_claim(survival)));
-    first = false;
+    claims +=
+        fmt::format("{} {} {}", claims.empty() ? "" : ",", method.method, to_string(judge_claim(survival)));
   }
-  fmt::print("{}\n", first ? " no method was given the target" : "");
+  fmt::print(
+      "  \"fails again after about {:.0f} frames, within {:.0f} seconds\" (the paper, of its own "
+      "tracker):{}\n",
+      kClaimFrames, kClaimSeconds, claims.empty() ? " no method was given the target" : claims);
 }
 
 Json method_json(const PooledRuns& group, const PooledMethod& method) {

@@ -49,6 +49,10 @@ std::string in_latex(const std::string& cell) {
 
 }  // namespace
 
+std::string cell(const std::optional<double>& value, int decimals) {
+  return value ? fmt::format("{:.{}f}", *value, decimals) : "n/a";
+}
+
 std::string Table::text(std::size_t indent) const {
   std::vector<std::size_t> widths(rows_.front().size());
   for (const auto& row : rows_)

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace relock {
+
+/// A number as a cell; "n/a" where there is none.
+std::string cell(const std::optional<double>& value, int decimals);
 
 /// How a table is written.
 enum class TableFormat : std::uint8_t { text, markdown, latex };

@@ -8,6 +8,7 @@
 #include "cli/print/targets.h"
 #include "cli/runs/folder.h"
 #include "cli/runs/pool.h"
+#include "cli/runs/truth.h"
 #include "cli/terminal.h"
 #include "core/error.h"
 #include "eval/scores/scores.h"

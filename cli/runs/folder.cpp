@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "cli/files.h"
+#include "cli/runs/truth.h"
 #include "core/csv.h"
 #include "core/error.h"
 #include "eval/replay/answers_csv.h"
@@ -30,21 +31,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kMarker = "relock-results.json";
-
-/// A name that any file system takes: whatever is not a letter, a digit, '.', '_' or '-' becomes '-'.
-std::string slug(std::string_view text) {
-  std::string name;
-  for (const char c : text) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '_' || c == '-';
-    if (plain) {
-      name += c;
-    } else if (!name.empty() && name.back() != '-') {
-      name += '-';
-    }
-  }
-  while (!name.empty() && name.back() == '-') name.pop_back();
-  return name.empty() || name.front() == '.' ? "_" + name : name;
-}
 
 /// "recorded", "recorded-s2", "bernoulli-0.1-s1", "trace-tagslam_test_14_top_left-s1".
 std::string gaps_slug(const RunRecord& record) {
@@ -71,21 +57,6 @@ std::string timing_csv(const std::vector<FrameCost>& costs) {
   return text;
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code fault;
-  fs::create_directories(folder, fault);
-  if (fault) throw Error(fmt::format("{} cannot be made ({})", folder.string(), fault.message()));
-}
-
-/// Puts a finished folder in its place. An older one is moved away first, whole, and then removed: whoever is
-/// killed in between leaves nothing that is half there.
-void put_in_place(const fs::path& finished, const fs::path& place) {
-  const fs::path old = temporary_name(place.string() + ".old");
-  if (fs::exists(place)) fs::rename(place, old);
-  fs::rename(finished, place);
-  fs::remove_all(old);
-}
-
 /// Whether a file or folder is one that temporary_name() named, of a program that is no more.
 bool left_behind(const fs::path& path) {
   const std::string name = path.filename().string();
@@ -102,8 +73,8 @@ void remove_left_behind(const fs::path& out) {
   for (const fs::path& path : all) fs::remove_all(path);
 }
 
-StoredRun read_run(const fs::path& folder, const Recording& recording) {
-  StoredRun run{folder, read_record(folder / "run.json"), {}};
+StoredRun read_run(const fs::path& folder, RunRecord record, const Recording& recording) {
+  StoredRun run{folder, std::move(record), {}};
   run.trajectory.reads_codes = run.record.reads_codes;
   run.trajectory.judged_from = run.record.judged_from;
   run.trajectory.failed_from = run.record.failed_from;
@@ -123,9 +94,6 @@ StoredRun read_run(const fs::path& folder, const Recording& recording) {
   return run;
 }
 
-/// The recordings/ folder that belongs to a comparison.
-fs::path truth_folder(const fs::path& comparison) { return comparison.parent_path() / "recording"; }
-
 void check_conditions(const fs::path& folder, const RunRecord& a, const RunRecord& b) {
   if (a.same_conditions(b)) return;
   throw Error(fmt::format(
@@ -140,31 +108,6 @@ bool holds_run(const fs::path& folder) {
   return !folder.filename().string().starts_with(".") && fs::exists(folder / "run.json");
 }
 
-fs::path truth_place(const fs::path& out, const Recording& recording) {
-  return out / slug(recording.name) / "recording";
-}
-
-constexpr const char* kTruthFiles[] = {"recording.toml", "timestamps.csv", "labels.csv"};
-
-/// One line for each file of the truth: what it was when runs were made.
-void store_checksums(const fs::path& truth) {
-  std::string text;
-  for (const char* file : kTruthFiles) text += fmt::format("{} {}\n", file, file_fingerprint(truth / file));
-  write_file(truth / "checksums", text);
-}
-
-/// Throws Error when a file of the truth is not what it was: scores would be of something that no method saw.
-void check_checksums(const fs::path& truth) {
-  if (!fs::exists(truth / "checksums")) return;
-  const std::string stored = read_file(truth / "checksums");
-  for (const char* file : kTruthFiles)
-    if (stored.find(fmt::format("{} {}\n", file, file_fingerprint(truth / file))) == std::string::npos)
-      throw Error(
-          fmt::format("{} was changed after the runs beside it were made; change it where the recording is "
-                      "and run again",
-                      (truth / file).string()));
-}
-
 std::vector<fs::path> runs_in(const fs::path& comparison) {
   std::vector<fs::path> runs;
   if (!fs::is_directory(comparison)) return runs;
@@ -173,25 +116,16 @@ std::vector<fs::path> runs_in(const fs::path& comparison) {
   return runs;
 }
 
-/// Runs of one comparison were all played the same way. One that cannot be read is told of later.
-Recording as_played(Recording recorded, const std::vector<fs::path>& run_folders) {
-  for (const fs::path& run : run_folders) {
-    try {
-      const auto anchor = read_record(run / "run.json").anchor;
-      return anchor && anchor->direction == Direction::backward ? reflected(recorded) : std::move(recorded);
-    } catch (const Error&) {
-    }
-  }
-  return recorded;
+Recording as_played(const Recording& recorded, const std::optional<Anchor>& anchor) {
+  return anchor && anchor->direction == Direction::backward ? reflected(recorded) : recorded;
 }
 
 /// Throws Error when a run was made from other pictures, times or labels than the truth beside it.
-void check_recording(const StoredRun& run, const fs::path& truth) {
-  const fs::path file = truth / "fingerprint";
-  if (!fs::exists(file) || read_file(file) == run.record.fingerprint + "\n") return;
+void check_recording(const StoredTruth& truth, const RunRecord& record, const fs::path& folder) {
+  if (!truth.fingerprint || *truth.fingerprint == record.fingerprint) return;
   throw Error(
       fmt::format("{} was made from other pictures, times or labels than the truth in {}; run it again",
-                  (run.folder / "run.json").string(), truth.string()));
+                  (folder / "run.json").string(), truth.folder.string()));
 }
 
 /// Runs that were cut short end where the recording could not be read on: all of them are scored to there.
@@ -237,27 +171,6 @@ ResultsLock prepare_results(const fs::path& out) {
   if (!fs::exists(out / kMarker)) write_file(out / kMarker, "{\"format\": 1}\n");
   remove_left_behind(out);
   return lock;
-}
-
-void check_truth(const fs::path& out, const Recording& recording, const std::string& fingerprint) {
-  const fs::path place = truth_place(out, recording);
-  if (!fs::exists(place) || read_file(place / "fingerprint") == fingerprint + "\n") return;
-  throw Error(
-      fmt::format("{} was made from other pictures, times or labels than {} has now; choose another "
-                  "--out or remove it",
-                  place.parent_path().string(), recording.name));
-}
-
-void store_truth(const fs::path& out, const Recording& recording, const std::string& fingerprint) {
-  check_truth(out, recording, fingerprint);
-  const fs::path place = truth_place(out, recording);
-  if (fs::exists(place)) return;
-  const fs::path draft = temporary_name(place);
-  make_folder(draft);
-  write_truth(draft, recording);
-  store_checksums(draft);
-  write_file(draft / "fingerprint", fingerprint + "\n");
-  put_in_place(draft, place);
 }
 
 fs::path run_folder(const fs::path& out, const RunRecord& record) {
@@ -330,25 +243,24 @@ std::vector<FoundComparison> find_results(const fs::path& folder) {
 
 std::optional<StoredComparison> read_comparison(const FoundComparison& found,
                                                 const OnUnreadable& on_unreadable) {
-  const fs::path truth = truth_folder(found.folder);
   StoredComparison comparison{found.folder, {}, {}};
+  StoredTruth truth;
   try {
-    if (!fs::exists(truth))
-      throw Error(
-          fmt::format("{} is missing: runs cannot be scored without the truth beside them", truth.string()));
-    comparison.recording = as_played(read_truth(truth), found.runs);
-    check_checksums(truth);
+    truth = read_stored_truth(found.folder.parent_path());
   } catch (const Error& fault) {
     on_unreadable(fault.what());
     return {};
   }
   for (const fs::path& folder : found.runs) {
     try {
-      StoredRun run = read_run(folder, comparison.recording);
-      check_recording(run, truth);
-      if (!comparison.runs.empty())
-        check_conditions(found.folder, comparison.runs.front().record, run.record);
-      comparison.runs.push_back(std::move(run));
+      RunRecord record = read_record(folder / "run.json");
+      check_recording(truth, record, folder);
+      if (comparison.runs.empty()) {  // all runs of one comparison were played the same way
+        comparison.recording = as_played(truth.recording, record.anchor);
+      } else {
+        check_conditions(found.folder, comparison.runs.front().record, record);
+      }
+      comparison.runs.push_back(read_run(folder, std::move(record), comparison.recording));
     } catch (const Error& fault) {
       on_unreadable(fault.what());
     }

@@ -55,13 +55,6 @@ class ResultsLock {
 /// was killed left half done. Throws Error when it belongs to something else or cannot be written.
 ResultsLock prepare_results(const std::filesystem::path& out);
 
-/// Throws Error when OUT/RECORDING was made from another recording or other labels.
-void check_truth(const std::filesystem::path& out, const Recording& recording,
-                 const std::string& fingerprint);
-/// Writes OUT/RECORDING/recording unless the same is there. Throws Error like `check_truth`.
-void store_truth(const std::filesystem::path& out, const Recording& recording,
-                 const std::string& fingerprint);
-
 /// Where a run belongs.
 std::filesystem::path run_folder(const std::filesystem::path& out, const RunRecord& record);
 /// Throws Error when the runs beside it were made under other conditions: other gaps, seed or gate.

@@ -120,19 +120,14 @@ Json to_json(const RealTimeScores& s) {
           {"answer_age_p95_s", age(0.95)}};
 }
 
-Json to_json(const std::vector<FrameCost>& costs) {
-  if (costs.empty()) return {};
-  std::vector<double> wall, cpu;
-  std::int64_t peak = 0;
-  for (const FrameCost& cost : costs) {
-    wall.push_back(1e3 * seconds(cost.wall));
-    cpu.push_back(1e3 * seconds(cost.cpu));
-    peak = std::max(peak, cost.peak_bytes);
-  }
-  const auto spread = [](const std::vector<double>& all) -> Json {
-    return {{"median", percentile(all, 0.5)}, {"p95", percentile(all, 0.95)}, {"max", percentile(all, 1)}};
-  };
-  return {{"frames", costs.size()}, {"wall_ms", spread(wall)}, {"cpu_ms", spread(cpu)}, {"peak_bytes", peak}};
+Json to_json(const Spread& s) { return {{"median", s.median_ms}, {"p95", s.p95_ms}, {"max", s.max_ms}}; }
+
+Json to_json(const std::optional<Cost>& cost) {
+  if (!cost) return {};
+  return {{"frames", cost->frames},
+          {"wall_ms", to_json(cost->wall)},
+          {"cpu_ms", to_json(cost->cpu)},
+          {"peak_bytes", cost->peak_bytes}};
 }
 
 Json to_json(const MethodPool& pool, const JudgedMethod& method) {
@@ -151,7 +146,7 @@ Json to_json(const MethodPool& pool, const JudgedMethod& method) {
           {"scores", to_json(method.scores)},
           {"common", to_json(method.common)},
           {"real_time", pool.real_time.in_force > 0 ? to_json(pool.real_time) : Json()},
-          {"cost", to_json(pool.costs)},
+          {"cost", to_json(method.cost)},
           {"intervals", intervals},
           {"standings", standings}};
 }

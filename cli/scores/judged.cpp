@@ -136,6 +136,18 @@ std::string_view to_string(Standing standing) {
   return names[static_cast<std::size_t>(standing)];
 }
 
+std::optional<Cost> cost_of(const std::vector<FrameCost>& costs) {
+  if (costs.empty()) return {};
+  const auto spread = [&](Duration FrameCost::*time) -> Spread {
+    std::vector<double> ms;
+    for (const FrameCost& cost : costs) ms.push_back(1e3 * seconds(cost.*time));
+    return {percentile(ms, 0.5), percentile(ms, 0.95), percentile(ms, 1)};
+  };
+  Cost all{costs.size(), spread(&FrameCost::wall), spread(&FrameCost::cpu), 0};
+  for (const FrameCost& cost : costs) all.peak_bytes = std::max(all.peak_bytes, cost.peak_bytes);
+  return all;
+}
+
 std::vector<JudgedMethod> judged(const ScoreTable& table) {
   std::vector<JudgedMethod> all;
   for (const MethodPool& method : table.methods) {
@@ -146,6 +158,7 @@ std::vector<JudgedMethod> judged(const ScoreTable& table) {
       one.shares[i] = ratio_interval(series_of(share_scores()[i], method));
     one.losses_per_minute = losses_per_minute(one.scores);
     one.median_px = median_error(method);
+    one.cost = cost_of(method.costs);
     all.push_back(std::move(one));
   }
   for (std::size_t i = 0; i < kShareScores; ++i) rank(table, i, all);

@@ -32,6 +32,19 @@ enum class Standing : std::uint8_t {
 };
 std::string_view to_string(Standing standing);
 
+/// Of a time that was taken for each frame, ms.
+struct Spread {
+  double median_ms = 0, p95_ms = 0, max_ms = 0;
+};
+/// What a method cost (metrics.md section 6).
+struct Cost {
+  std::size_t frames = 0;  ///< that it was asked about
+  Spread wall, cpu;
+  std::int64_t peak_bytes = 0;
+};
+/// Nothing where no costs were asked for.
+std::optional<Cost> cost_of(const std::vector<FrameCost>& costs);
+
 /// A method's scores and how sure they are. Intervals are of 95 %; empty where they cannot be told.
 struct JudgedMethod {
   Scores scores;
@@ -40,6 +53,7 @@ struct JudgedMethod {
   std::array<Standing, kShareScores> standings{};
   std::optional<Interval> losses_per_minute;  ///< exact, of Poisson's distribution
   std::optional<Interval> median_px;
+  std::optional<Cost> cost;
 };
 
 /// Of each method of the table.

@@ -9,10 +9,6 @@
 namespace relock {
 namespace {
 
-std::string cell(const std::optional<double>& value, int decimals) {
-  return value ? fmt::format("{:.{}f}", *value, decimals) : "n/a";
-}
-
 /// ".07", "1.0", "12": two digits that matter, as narrow as they can be.
 std::string bound(double value) {
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
@@ -140,23 +136,19 @@ Table real_time_table(const ScoreTable& table) {
   return lines;
 }
 
-Table cost_table(const ScoreTable& table) {
+Table cost_table(const JudgedTable& judged) {
   Table lines({"method", "wall ms", "p95", "max", "CPU ms", "p95", "max", "skipped", "peak MB"});
-  for (const MethodPool& method : table.methods) {
-    std::vector<double> wall, cpu;
-    std::int64_t peak = 0;
-    for (const FrameCost& cost : method.costs) {
-      wall.push_back(1e3 * seconds(cost.wall));
-      cpu.push_back(1e3 * seconds(cost.cpu));
-      peak = std::max(peak, cost.peak_bytes);
-    }
-    const auto at = [](const std::vector<double>& all, double share) {
-      return all.empty() ? "n/a" : fmt::format("{:.2f}", percentile(all, share));
-    };
+  for (std::size_t i = 0; i < judged.methods.size(); ++i) {
+    const MethodPool& method = judged.table.methods[i];
+    const std::optional<Cost>& cost = judged.methods[i].cost;
+    std::vector<std::string> row{method.method};
+    for (const Spread Cost::*time : {&Cost::wall, &Cost::cpu})
+      for (const double Spread::*ms : {&Spread::median_ms, &Spread::p95_ms, &Spread::max_ms})
+        row.push_back(cost ? cell((*cost).*time.*ms, 2) : "n/a");
     const std::size_t skipped = method.tally.verdicts[static_cast<std::size_t>(Verdict::Skipped)];
-    lines.add({method.method, at(wall, 0.5), at(wall, 0.95), at(wall, 1), at(cpu, 0.5), at(cpu, 0.95),
-               at(cpu, 1), part_cell(skipped, method.tally.frames),
-               wall.empty() ? "n/a" : fmt::format("{:.0f}", 1e-6 * static_cast<double>(peak))});
+    row.push_back(part_cell(skipped, method.tally.frames));
+    row.push_back(cost ? cell(1e-6 * static_cast<double>(cost->peak_bytes), 0) : "n/a");
+    lines.add(row);
   }
   return lines;
 }

@@ -25,7 +25,7 @@ Table exactness_table(const JudgedTable& judged);
 /// slowness, gaps and failure.
 Table real_time_table(const ScoreTable& table);
 /// What methods cost: wall and CPU time of a frame, the share of frames skipped, and peak memory.
-Table cost_table(const ScoreTable& table);
+Table cost_table(const JudgedTable& judged);
 /// Recognition, a column for each bin; all tables have the same conditions.
 Table bins_table(const std::vector<const JudgedTable*>& bins);
 

@@ -1,7 +1,5 @@
 #include "eval/scores/contribution.h"
 
-#include "eval/judgement/visible_time.h"
-
 namespace relock {
 namespace {
 
@@ -18,13 +16,12 @@ void add_counts(const Recording& recording, std::size_t target, std::span<const 
 }
 
 void add_times(const Recording& recording, std::size_t target, const TargetTimeline& timeline,
-               std::vector<Contribution>& frames) {
+               std::span<const VisibleInterval> visible, std::vector<Contribution>& frames) {
   std::vector<Time> hits, possible_hits;
   for (std::size_t frame = 0; frame < frames.size(); ++frame) {
     if (frames[frame].hits > 0) hits.push_back(recording.captured[frame]);
     if (frames[frame].could_hit > 0) possible_hits.push_back(recording.captured[frame]);
   }
-  const auto visible = visible_time(recording, target, timeline.judgements);
   const auto fresh = fresh_times(visible, hits), fresh_ceiling = fresh_times(visible, possible_hits);
   const auto perfect = perfect_states(recording, target, timeline.judgements);
   for (std::size_t i = 0; i < visible.size(); ++i) {
@@ -56,12 +53,18 @@ Contribution& Contribution::operator+=(const Contribution& other) {
 }
 
 std::vector<Contribution> contributions(const Recording& recording, const Evaluation& evaluation,
-                                        std::size_t target) {
+                                        std::size_t target, std::span<const VisibleInterval> visible) {
   const TargetTimeline& timeline = evaluation.targets[target];
   std::vector<Contribution> frames(timeline.judgements.size());
   add_counts(recording, target, timeline.judgements, frames);
-  add_times(recording, target, timeline, frames);
+  add_times(recording, target, timeline, visible, frames);
   return frames;
+}
+
+std::vector<Contribution> contributions(const Recording& recording, const Evaluation& evaluation,
+                                        std::size_t target) {
+  return contributions(recording, evaluation, target,
+                       visible_time(recording, target, evaluation.targets[target].judgements));
 }
 
 void add_spurious(std::vector<Contribution>& frames, const Evaluation& evaluation) {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "eval/judgement/evaluation.h"
+#include "eval/judgement/visible_time.h"
 
 namespace relock {
 
@@ -24,7 +26,10 @@ struct Contribution {
   friend bool operator==(const Contribution&, const Contribution&) = default;
 };
 
-/// Of one target, one for each recorded frame. `said` counts what its own verdicts rest on.
+/// Of one target, one for each recorded frame. `visible`: its visible_time. `said` counts what its own verdicts
+/// rest on.
+std::vector<Contribution> contributions(const Recording& recording, const Evaluation& evaluation,
+                                        std::size_t target, std::span<const VisibleInterval> visible);
 std::vector<Contribution> contributions(const Recording& recording, const Evaluation& evaluation,
                                         std::size_t target);
 

@@ -146,10 +146,10 @@ Tally& Tally::operator+=(const Tally& other) {
 
 TargetTally tally(const Recording& recording, const Trajectory& trajectory, const Evaluation& evaluation,
                   std::size_t target) {
-  TargetTally result{contributions(recording, evaluation, target), {}};
-  Tally& all = result.tally;
   const TargetTimeline& timeline = evaluation.targets[target];
   const auto visible = visible_time(recording, target, timeline.judgements);
+  TargetTally result{contributions(recording, evaluation, target, visible), {}};
+  Tally& all = result.tally;
   count_verdicts(timeline, all);
   count_bins(result.frames, blur_bins(recording, target), all.by_blur);
   count_bins(result.frames, gap_bins(recording, timeline.judgements), all.by_gap);
