@@ -1,0 +1,69 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "eval/statistics/interval.h"
+
+// Figures of the program, all with one look. gnuplot draws them.
+
+namespace relock {
+
+struct PlotPoint {
+  double x = 0, y = 0;
+  std::optional<Interval> interval = {};  ///< of y, drawn as a whisker
+};
+
+enum class CurveStyle : std::uint8_t { line, points, points_on_line };
+
+struct PlotCurve {
+  std::string name;  ///< in the legend; empty: it is not there
+  std::vector<PlotPoint> points;
+  CurveStyle style = CurveStyle::points_on_line;
+  bool published = false;  ///< somebody else's figures, drawn dashed and grey
+};
+
+struct PlotAxis {
+  std::string title;                          ///< with its unit
+  std::optional<double> low = {}, high = {};  ///< else what the data need
+  bool logarithmic = false;
+};
+
+/// Curves over a common axis.
+struct Plot {
+  std::string title;
+  PlotAxis x, y;
+  std::vector<PlotCurve> curves;
+  double width_mm = 120, height_mm = 80;
+};
+
+/// A stretch of a lane, in the unit of the axis.
+struct LaneStretch {
+  double from = 0, to = 0;
+  std::size_t kind = 0;  ///< which of the plot's
+};
+struct PlotLane {
+  std::string name;
+  std::vector<LaneStretch> stretches;
+};
+/// Rows of stretches over a common axis of time: who was where, when.
+struct LanePlot {
+  std::string title;
+  PlotAxis x;
+  std::vector<std::string> kinds;  ///< of stretches, with a colour each, in the legend
+  std::vector<PlotLane> lanes;     ///< from the top
+  double width_mm = 180, lane_mm = 7;
+};
+
+/// Whether plots can be drawn here: gnuplot is installed.
+bool can_plot();
+
+/// Draws into `file`, whose ending says how: .svg, .pdf (fonts embedded) or .png (200 dots per inch). The same
+/// plot gives the same bytes. Throws Error on another ending, when nothing can be drawn here, and when the file
+/// cannot be written.
+void draw(const Plot& plot, const std::filesystem::path& file);
+void draw(const LanePlot& plot, const std::filesystem::path& file);
+
+}  // namespace relock
