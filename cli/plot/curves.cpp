@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cli/plot/look.h"
+#include "cli/plot/sheet.h"
 
 namespace relock {
 namespace {
@@ -125,24 +126,26 @@ class Layers {
   std::vector<std::string> parts_, names_;
 };
 
-std::string script_of(const Plot& plot) {
-  const Extents extents = extents_of(plot);
+Legend legend_of(const Plot& plot) {
   std::vector<std::string> names;
   for (const PlotCurve& curve : plot.curves)
     if (!curve.name.empty()) names.push_back(curve.name);
-  const Legend legend = legend_for(names, plot.width_mm);
-  std::string script = sheet({plot.title, plot.width_mm, plot.height_mm, legend.rows_below}) + legend.script +
-                       axis("x", plot.x, extents.x, .7 * plot.width_mm) +
-                       axis("y", plot.y, extents.y, .7 * plot.height_mm);
-  if (!extents.x.low)
-    script += fmt::format("set label 'no data' at graph .5, graph .5 center textcolor rgb '{}'\n", kGrey);
-  return script + Layers(plot, extents).script();
+  return legend_for(names, plot.width_mm);
 }
 
 }  // namespace
 
 void draw(const Plot& plot, const std::filesystem::path& file) {
-  figure::draw_into(file, plot.width_mm, plot.height_mm, script_of(plot));
+  constexpr double kLeastPanel = 30;  // mm; below it a long legend makes the sheet higher
+  const Legend legend = legend_of(plot);
+  Sheet paper{plot.title, plot.width_mm, plot.height_mm, legend.rows_below};
+  paper.height_mm = std::max(paper.height_mm, margins_mm(paper) + kLeastPanel);
+  const Extents extents = extents_of(plot);
+  std::string script = sheet(paper) + legend.script + axis("x", plot.x, extents.x, .7 * paper.width_mm) +
+                       axis("y", plot.y, extents.y, .7 * paper.height_mm);
+  if (!extents.x.low)
+    script += fmt::format("set label 'no data' at graph .5, graph .5 center textcolor rgb '{}'\n", kGrey);
+  draw_into(file, paper.width_mm, paper.height_mm, script + Layers(plot, extents).script());
 }
 
 }  // namespace relock

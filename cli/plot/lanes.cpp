@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "cli/plot/look.h"
+#include "cli/plot/sheet.h"
+#include "cli/terminal.h"
 #include "core/error.h"
 
 namespace relock {
@@ -23,7 +26,7 @@ double height_of(std::size_t kind) {
 }
 
 std::string shortened(const std::string& name) {
-  if (columns_in(name) <= kLongestName) return name;
+  if (columns_of(name) <= kLongestName) return name;
   std::size_t end = 0;
   for (std::size_t letters = 0; letters < kLongestName; ++letters) do
       ++end;

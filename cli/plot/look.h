@@ -1,16 +1,13 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "cli/plot/plot.h"
 
-// How all plots look, in gnuplot's language.
+// How curves, texts and axes of all plots look, in gnuplot's language.
 
 namespace relock::figure {
 
@@ -41,8 +38,7 @@ struct Lines {
   std::size_t count = 0;
 };
 Lines broken(std::string_view text, double width_mm, double letters_pt);
-/// Letters of a text, and the width that it needs, about.
-std::size_t columns_in(std::string_view text);
+/// The width that a text needs, about.
 double width_mm(std::string_view text, double letters_pt);
 
 /// Least and greatest of what is drawn.
@@ -52,28 +48,5 @@ struct Extent {
 };
 /// `set xrange`, its title and its scale; `name` is x or y. Throws Error when the axis' ends are not in order.
 std::string axis(std::string_view name, const PlotAxis& axis, const Extent& data, double length_mm);
-
-/// Names with samples of what they name: beside the panel on the right, or below it in rows, where names are so long
-/// that they would take the panel's place.
-struct Legend {
-  std::string script;
-  std::size_t rows_below = 0;
-};
-Legend legend_for(const std::vector<std::string>& names, double width_mm);
-Legend legend_below(const std::vector<std::string>& names, double width_mm);
-
-/// What a plot is drawn on: thin axes on the left and below, a light grid, the title above.
-struct Sheet {
-  std::string title;
-  double width_mm, height_mm;
-  std::size_t rows_below = 0;  ///< of the legend
-};
-std::string sheet(const Sheet& sheet);
-/// What of its height is not the panel's.
-double margins_mm(const Sheet& sheet);
-
-/// Has gnuplot draw the script into the file. Throws Error as draw() does.
-void draw_into(const std::filesystem::path& file, double width_mm, double height_mm,
-               const std::string& script);
 
 }  // namespace relock::figure

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -31,7 +33,9 @@ struct PlotAxis {
   bool logarithmic = false;
 };
 
-/// Curves over a common axis.
+/// Curves over a common axis. A point that is not finite, or has no place on a logarithmic axis, is left out and breaks
+/// its line. Of more than 60 points on a line only some are marked. The legend stands beside the panel, or below it when
+/// a name is long; then the sheet grows if it must.
 struct Plot {
   std::string title;
   PlotAxis x, y;
@@ -48,7 +52,8 @@ struct PlotLane {
   std::string name;
   std::vector<LaneStretch> stretches;
 };
-/// Rows of stretches over a common axis of time: who was where, when.
+/// Rows of stretches over a common axis of time: who was where, when. Kinds differ in height, too. A stretch that is too
+/// short to be seen is drawn as a hairline.
 struct LanePlot {
   std::string title;
   PlotAxis x;
@@ -60,7 +65,7 @@ struct LanePlot {
 /// Whether plots can be drawn here: gnuplot is installed.
 bool can_plot();
 
-/// Draws into `file`, whose ending says how: .svg, .pdf (fonts embedded) or .png (200 dots per inch). The same
+/// Draws into `file`, with letters of 8 pt; its ending says how: .svg, .pdf (fonts embedded) or .png (200 dots per inch). The same
 /// plot gives the same bytes. Throws Error on another ending, when nothing can be drawn here, and when the file
 /// cannot be written.
 void draw(const Plot& plot, const std::filesystem::path& file);
