@@ -28,8 +28,8 @@ struct Picture {
     for (int y = 0; y < size.height; ++y)
       std::memcpy(pixels.data() + row * static_cast<std::size_t>(y), image.row(y), row);
   }
-  /// A copy of a picture of OpenCV's of type CV_8UC1 or CV_8UC3, for who includes core/opencv.h. Throws Error on
-  /// another type.
+  /// A copy of a picture of OpenCV's of type CV_8UC1 or CV_8UC3, for who includes core/opencv.h. Throws Error
+  /// on another type.
   Picture(const cv::Mat& mat);
 
   /// Valid as long as this picture is there and its pixels are not changed.

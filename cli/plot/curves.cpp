@@ -141,8 +141,8 @@ void draw(const Plot& plot, const std::filesystem::path& file) {
   Sheet paper{plot.title, plot.width_mm, plot.height_mm, legend.rows_below};
   paper.height_mm = std::max(paper.height_mm, margins_mm(paper) + kLeastPanel);
   const Extents extents = extents_of(plot);
-  std::string script = sheet(paper) + legend.script + axis("x", plot.x, extents.x, .7 * paper.width_mm) +
-                       axis("y", plot.y, extents.y, .7 * paper.height_mm);
+  std::string script =
+      sheet(paper) + legend.script + axis("x", plot.x, extents.x) + axis("y", plot.y, extents.y);
   if (!extents.x.low)
     script += fmt::format("set label 'no data' at graph .5, graph .5 center textcolor rgb '{}'\n", kGrey);
   draw_into(file, paper.width_mm, paper.height_mm, script + Layers(plot, extents).script());

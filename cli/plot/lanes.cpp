@@ -66,8 +66,10 @@ std::string boxes_of(const LanePlot& plot, std::size_t kind, double thinnest) {
   const double half = height_of(kind) / 2;
   for (std::size_t row = 0; row < plot.lanes.size(); ++row)
     for (const LaneStretch& stretch : joined(plot.lanes[row], kind)) {
-      const double y = static_cast<double>(row), to = std::max(stretch.to, stretch.from + thinnest);
-      text += fmt::format("{0} {1} {0} {2} {3} {4}\n", stretch.from, y, to, y - half, y + half);
+      const double y = static_cast<double>(row),
+                   missing = std::max(thinnest - (stretch.to - stretch.from), 0.);
+      text += fmt::format("{0} {1} {0} {2} {3} {4}\n", stretch.from - missing / 2, y,
+                          stretch.to + missing / 2, y - half, y + half);
     }
   return text;
 }
@@ -130,9 +132,9 @@ void draw(const LanePlot& plot, const std::filesystem::path& file) {
     x.high = x.high.value_or(*extent.high);
   }
   const double shown = x.low && x.high ? *x.high - *x.low : 1;
-  figure::draw_into(file, whole.width_mm, whole.height_mm,
-                    sheet(whole) + legend.script + axis("x", x, extent, .7 * plot.width_mm) + rows_of(plot) +
-                        plotted(plot, kThinnest * shown));
+  figure::draw_into(
+      file, whole.width_mm, whole.height_mm,
+      sheet(whole) + legend.script + axis("x", x, extent) + rows_of(plot) + plotted(plot, kThinnest * shown));
 }
 
 }  // namespace relock

@@ -116,7 +116,7 @@ void Extent::add(double value) {
   high = std::max(high.value_or(value), value);
 }
 
-std::string axis(std::string_view name, const PlotAxis& axis, const Extent& data, double length_mm) {
+std::string axis(std::string_view name, const PlotAxis& axis, const Extent& data) {
   double low = axis.low.value_or(data.low.value_or(axis.logarithmic ? 1 : 0));
   double high = axis.high.value_or(data.high.value_or(axis.logarithmic ? 10 : 1));
   bool widened = !data.low;
@@ -135,9 +135,8 @@ std::string axis(std::string_view name, const PlotAxis& axis, const Extent& data
   const auto end = [&](const std::optional<double>& stated, double value) {
     return stated || widened ? fmt::format("{}", value) : std::string("*");
   };
-  const Lines title = broken(axis.title, length_mm, kText);
   return fmt::format("set {0}range [{1}:{2}]\nset {0}label {3} textcolor rgb '{4}'\n{5}", name,
-                     end(axis.low, low), end(axis.high, high), title.literal, kInk,
+                     end(axis.low, low), end(axis.high, high), literal(axis.title), kInk,
                      axis.logarithmic ? fmt::format("set logscale {}\n", name) : "");
 }
 

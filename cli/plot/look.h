@@ -16,12 +16,12 @@ constexpr double kText = 8;  ///< size of letters, pt
 constexpr double kCurve = 1.1, kWhisker = 0.7, kAxis = 0.6, kGrid = 0.4;
 constexpr std::string_view kInk = "#222222", kGrey = "#808080";
 
-/// Colours that are told apart by people who see few of them (Okabe and Ito, without their yellow, which white paper
-/// swallows); they repeat.
+/// Colours that are told apart by people who see few of them (Okabe and Ito, without their yellow, which white
+/// paper swallows); they repeat.
 std::string_view colour(std::size_t i);
 
-/// How the i-th curve is told from the others: 84 differ in colour or shape of their points, and lines in their dashes,
-/// too. Published ones are grey and dashed.
+/// How the i-th curve is told from the others: 84 differ in colour or shape of their points, and lines in their
+/// dashes, too. Published ones are grey and dashed.
 struct CurveLook {
   std::string line;    ///< thickness, colour and dashes
   std::string points;  ///< shape and size
@@ -47,6 +47,6 @@ struct Extent {
   void add(double value);
 };
 /// `set xrange`, its title and its scale; `name` is x or y. Throws Error when the axis' ends are not in order.
-std::string axis(std::string_view name, const PlotAxis& axis, const Extent& data, double length_mm);
+std::string axis(std::string_view name, const PlotAxis& axis, const Extent& data);
 
 }  // namespace relock::figure

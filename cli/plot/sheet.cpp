@@ -54,7 +54,8 @@ struct Margins {
 Margins margins_of(const Sheet& sheet) {
   const Lines title = broken(sheet.title, sheet.width_mm - kTitleFrom, kText);
   const double above = sheet.title.empty() ? 3 : 2.5 + static_cast<double>(title.count) * kRow;
-  return {above, 11.5 + static_cast<double>(sheet.rows_below) * kRow};
+  // With less than 12 mm gnuplot finds no room for an axis' title in an SVG, and leaves it out without a word.
+  return {above, 12.5 + static_cast<double>(sheet.rows_below) * kRow};
 }
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {

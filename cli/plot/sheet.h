@@ -9,8 +9,8 @@
 
 namespace relock::figure {
 
-/// Names with samples of what they name: beside the panel on the right, or below it in rows, where names are so long
-/// that they would take the panel's place.
+/// Names with samples of what they name: beside the panel on the right, or below it in rows, where names are so
+/// long that they would take the panel's place.
 struct Legend {
   std::string script;
   std::size_t rows_below = 0;
