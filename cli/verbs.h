@@ -78,7 +78,7 @@ struct DetectArguments {
   std::vector<std::filesystem::path> images;
   std::string method;
   bool json = false;
-  std::optional<std::filesystem::path> draw;
+  std::optional<std::filesystem::path> draw = {};
   bool explain = false;                     ///< show the stages of the detector's work, too
   std::filesystem::path out = "explained";  ///< folder for them
 };
