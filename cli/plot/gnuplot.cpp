@@ -59,12 +59,13 @@ class MemoryFile {
   int file_;
 };
 
-/// Ours, without what changes a drawing.
+/// Ours, without what changes a drawing: numbers of another language, gnuplot's own settings, and the time.
 std::vector<std::string> environment() {
-  std::vector<std::string> variables{"LC_ALL=C"};
+  std::vector<std::string> variables{"LC_ALL=C", "SOURCE_DATE_EPOCH=0"};
   for (char** variable = environ; *variable; ++variable) {
     const std::string_view text(*variable);
-    if (!text.starts_with("LC_ALL=") && !text.starts_with("GNU")) variables.emplace_back(text);
+    if (!text.starts_with("LC_ALL=") && !text.starts_with("SOURCE_DATE_EPOCH=") && !text.starts_with("GNU"))
+      variables.emplace_back(text);
   }
   return variables;
 }
