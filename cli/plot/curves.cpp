@@ -130,16 +130,15 @@ Legend legend_of(const Plot& plot) {
   std::vector<std::string> names;
   for (const PlotCurve& curve : plot.curves)
     if (!curve.name.empty()) names.push_back(curve.name);
-  return legend_for(names, plot.width_mm);
+  return legend_for(names, plot.width_mm, plot.height_mm);
 }
 
 }  // namespace
 
 void draw(const Plot& plot, const std::filesystem::path& file) {
-  constexpr double kLeastPanel = 30;  // mm; below it a long legend makes the sheet higher
   const Legend legend = legend_of(plot);
   Sheet paper{plot.title, plot.width_mm, plot.height_mm, legend.rows_below};
-  paper.height_mm = std::max(paper.height_mm, margins_mm(paper) + kLeastPanel);
+  paper.height_mm = std::max(paper.height_mm, margins_mm(paper) + least_panel_mm(legend));
   const Extents extents = extents_of(plot);
   std::string script =
       sheet(paper) + legend.script + axis("x", plot.x, extents.x) + axis("y", plot.y, extents.y);

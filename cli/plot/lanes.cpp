@@ -122,7 +122,8 @@ std::string plotted(const LanePlot& plot, double thinnest) {
 void draw(const LanePlot& plot, const std::filesystem::path& file) {
   check_kinds(plot);
   const Legend legend = legend_below(plot.kinds, plot.width_mm);
-  const double lanes = std::max<double>(static_cast<double>(plot.lanes.size()), 1) * plot.lane_mm;
+  double lanes = std::max<double>(static_cast<double>(plot.lanes.size()), 1) * plot.lane_mm;
+  if (legend.rows_below > 1) lanes = std::max(lanes, least_panel_mm(legend));
   const Sheet without{plot.title, plot.width_mm, 0, legend.rows_below};
   const Sheet whole{plot.title, plot.width_mm, lanes + margins_mm(without), legend.rows_below};
   const Extent extent = extent_of(plot);

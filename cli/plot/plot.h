@@ -35,7 +35,7 @@ struct PlotAxis {
 
 /// Curves over a common axis. A point that is not finite, or has no place on a logarithmic axis, is left out and
 /// breaks its line. Of more than 60 points on a line only some are marked. The legend stands beside the panel,
-/// or below it when a name is long; then the sheet grows if it must.
+/// or below it when names are long or many; then the sheet grows if it must.
 struct Plot {
   std::string title = {};
   PlotAxis x = {}, y = {};

@@ -85,11 +85,13 @@ std::string finished_pdf(std::string bytes) {
 
 }  // namespace
 
-Legend legend_for(const std::vector<std::string>& names, double width) {
+Legend legend_for(const std::vector<std::string>& names, double width, double height) {
   if (names.empty()) return {"unset key\n"};
   double longest = 0;
   for (const std::string& name : names) longest = std::max(longest, width_mm(name, kText));
-  if (longest > .3 * width) return legend_below(names, width);
+  const double rows_beside = (height - 20) / kRow;
+  if (longest > .3 * width || static_cast<double>(names.size()) > rows_beside)
+    return legend_below(names, width);
   return {"set key outside right top vertical Left reverse samplen 3 spacing 1.15\n"};
 }
 
@@ -97,9 +99,9 @@ Legend legend_below(const std::vector<std::string>& names, double width) {
   if (names.empty()) return {"unset key\n"};
   double longest = 0;
   for (const std::string& name : names) longest = std::max(longest, width_mm(name, kText));
-  constexpr double kSample = 14;  // mm, with the room around it
+  constexpr double kSample = 12;  // mm, with the room around it
   const auto columns =
-      std::clamp<std::size_t>(static_cast<std::size_t>(width / (1.1 * longest + kSample)), 1, names.size());
+      std::clamp<std::size_t>(static_cast<std::size_t>(width / (1.05 * longest + kSample)), 1, names.size());
   const std::size_t rows = (names.size() + columns - 1) / columns;
   // Vertical, because horizontally gnuplot makes no use of the room beside the panel.
   return {fmt::format(
@@ -107,6 +109,12 @@ Legend legend_below(const std::vector<std::string>& names, double width) {
               "spacing 1.15\n",
               rows),
           rows};
+}
+
+double least_panel_mm(const Legend& legend) {
+  // gnuplot makes no more rows of a legend than would fit beside the panel, with room to spare, and drops
+  // names for which the columns then have no room.
+  return std::max(20., (static_cast<double>(legend.rows_below) + 2) * kRow * 1.4);
 }
 
 double margins_mm(const Sheet& sheet) {

@@ -10,13 +10,16 @@
 namespace relock::figure {
 
 /// Names with samples of what they name: beside the panel on the right, or below it in rows, where names are so
-/// long that they would take the panel's place.
+/// long or so many that they would take the panel's place.
 struct Legend {
   std::string script;
   std::size_t rows_below = 0;
 };
-Legend legend_for(const std::vector<std::string>& names, double width_mm);
+Legend legend_for(const std::vector<std::string>& names, double width_mm, double height_mm);
 Legend legend_below(const std::vector<std::string>& names, double width_mm);
+
+/// Height that a panel must have for it.
+double least_panel_mm(const Legend& legend);
 
 /// What a plot is drawn on: thin axes on the left and below, a light grid, the title above.
 struct Sheet {

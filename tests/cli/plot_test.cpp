@@ -109,6 +109,22 @@ TEST_F(Plots, NameEveryCurveThatHasAName) {
     EXPECT_EQ(count(svg, fmt::format(">{}<", text)), 1u) << text;
 }
 
+TEST_F(Plots, HaveRoomForEveryNameInTheLegend) {
+  for (const std::size_t length : {1, 10, 30, 60})
+    for (const std::size_t names : {3, 7, 20}) {
+      Plot plot = one_curve({"", {{1, 1}, {2, 2}}});
+      LanePlot rows = lanes(1, 1);
+      for (std::size_t i = rows.kinds.size(); i < names; ++i) {
+        const std::string name = fmt::format("{}{}", std::string(length, 'm'), i);
+        plot.curves.push_back({name, {{1, 1}}});
+        rows.kinds.push_back(name);
+      }
+      const std::string both = drawn(plot) + drawn(rows);
+      for (std::size_t i = 2; i < names; ++i)
+        EXPECT_EQ(count(both, ">" + rows.kinds[i] + "<"), 2u) << names << " names, " << rows.kinds[i];
+    }
+}
+
 TEST_F(Plots, ShowTextsAsTheyAreWhateverIsInThem) {
   const fs::path touched = folder_ / "touched";
   const std::string text =
