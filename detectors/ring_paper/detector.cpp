@@ -1,6 +1,7 @@
 #include "detectors/ring_paper/detector.h"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/core.hpp>
 
 #include "core/error.h"
@@ -9,6 +10,15 @@
 #include "detectors/ring_marker.h"
 
 namespace relock::ring_paper {
+namespace {
+
+double gap(const cv::Rect& a, const cv::Rect& b) {
+  const int x = std::max({0, a.x - (b.x + b.width), b.x - (a.x + a.width)});
+  const int y = std::max({0, a.y - (b.y + b.height), b.y - (a.y + a.height)});
+  return std::hypot(x, y);
+}
+
+}  // namespace
 
 RingPaperDetector::RingPaperDetector(const RingPaperOptions& options)
     : options_(options),
@@ -29,12 +39,9 @@ const Look& RingPaperDetector::look(const Image& image) {
   if (options_.inverted) look_.gray = 255 - look_.gray;
   filter();  // step 1: filtering
   look_.components = connected_components(look_.binary, options_.least_area_px, options_.most_components);
-  std::vector<Vec2> centroids;
-  for (const Component& part : look_.components.parts) centroids.push_back(part.centroid);
   look_.candidates.clear();
-  for (const Cluster& cluster :
-       clusters_within(centroids, options_.linkage_px))     // step 2: component clustering
-    look_.candidates.push_back(classify_cluster(cluster));  // steps 3 and 4
+  for (const Cluster& cluster : clusters_within(things(), options_.linkage_px))  // step 2: component clustering
+    look_.candidates.push_back(classify_cluster(cluster));                       // steps 3 and 4
   return look_;
 }
 
@@ -47,6 +54,18 @@ void RingPaperDetector::filter() {
   }
   norm.convertTo(look_.response, CV_32F, 1 / peak);
   look_.binary = look_.response > options_.threshold;
+}
+
+Things RingPaperDetector::things() const {
+  const std::vector<Component>& parts = look_.components.parts;
+  Things things{.count = parts.size(), .distance = {}};
+  if (options_.distance == ComponentDistance::gaps)
+    things.distance = [&](std::size_t a, std::size_t b) { return gap(parts[a].box, parts[b].box); };
+  else
+    things.distance = [&](std::size_t a, std::size_t b) { return norm(parts[a].centroid - parts[b].centroid); };
+  if (options_.distance == ComponentDistance::pixels)
+    for (const Component& part : parts) things.weights.push_back(part.area);
+  return things;
 }
 
 Candidate RingPaperDetector::classify_cluster(const Cluster& cluster) const {

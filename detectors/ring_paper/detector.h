@@ -48,6 +48,7 @@ class RingPaperDetector final : public ExplainingDetector {
 
  private:
   void filter();
+  Things things() const;
   Candidate classify_cluster(const Cluster& cluster) const;
   Sightings sightings(Vec2 offset) const;
 
