@@ -43,7 +43,8 @@ std::vector<OptionInfo> ring_paper_option_list() {
       number("most_components", d.most_components, "",
              "components that are clustered, the largest ones: time grows with their square"),
       {"distance", "gaps", "",
-       "of two components: of their centroids (centroids), the same with each counting as often as it has pixels (pixels), or of their boxes (gaps)"},
+       "of two components: of their centroids (centroids), the same with each counting as often as it has "
+       "pixels (pixels), or of their boxes (gaps)"},
       number("scan_lines", d.scan_lines, "", "parallel lines that are averaged to the profile"),
       number("scan_spacing_px", d.scan_spacing_px, "px", "from line to line"),
       number("margin_px", d.margin_px, "px", "how far the profile goes on beyond the cluster's box"),
