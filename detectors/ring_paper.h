@@ -69,6 +69,8 @@ struct RingPaperOptions {
   double training_marker_px = 150;
   Compared compared = Compared::all;
   double farthest = 0.25;  ///< rms difference to the nearest training profile
+
+  friend bool operator==(const RingPaperOptions&, const RingPaperOptions&) = default;
 };
 
 /// The options as `relock list --verbose` prints them, with the defaults of RingPaperOptions.

@@ -79,7 +79,8 @@ const Look& RingPaperDetector::look(const Image& image) {
 cv::Mat1b RingPaperDetector::bright_rings(const Image& image) {
   const cv::Mat1b gray = gray_of(image, gray_);
   if (!options_.inverted) return gray;
-  cv::Mat1b turned = 255 - gray;
+  cv::Mat1b turned;
+  cv::bitwise_not(gray, turned);
   return turned;
 }
 

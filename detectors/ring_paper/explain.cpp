@@ -26,6 +26,12 @@ cv::Mat3b colours_of(const cv::Mat1b& gray) {
   cv::cvtColor(gray, colours, cv::COLOR_GRAY2BGR);
   return colours;
 }
+/// Half as bright, for what is drawn on it to be seen.
+cv::Mat3b dimmed(const cv::Mat1b& gray) {
+  cv::Mat1b half;
+  gray.convertTo(half, CV_8U, 0.5);
+  return colours_of(half);
+}
 
 /// Neighbouring numbers get colours that are far apart: each is 137 degrees of hue on.
 cv::Vec3b colour_of(std::size_t number) {
@@ -64,14 +70,14 @@ Stage components_stage(const Look& look, int least_area) {
               "{} connected components above the threshold, in a colour each; grey are those of less than "
               "{} pixels",
               look.components.parts.size(), least_area),
-          coloured(look, colours_of(look.binary / 2), [](std::size_t i) { return i; })};
+          coloured(look, dimmed(look.binary), [](std::size_t i) { return i; })};
 }
 
 Stage clusters_stage(const Look& look, double linkage_px) {
   std::vector<std::size_t> cluster_of(look.components.parts.size());
   for (std::size_t c = 0; c < look.candidates.size(); ++c)
     for (const std::size_t i : look.candidates[c].cluster) cluster_of[i] = c;
-  cv::Mat3b picture = coloured(look, colours_of(look.gray / 2), [&](std::size_t i) { return cluster_of[i]; });
+  cv::Mat3b picture = coloured(look, dimmed(look.gray), [&](std::size_t i) { return cluster_of[i]; });
   for (std::size_t c = 0; c < look.candidates.size(); ++c)
     cv::rectangle(picture, rounded_rect(look.candidates[c].axis.box), cv::Scalar(colour_of(c)));
   return {"clusters",
