@@ -90,8 +90,8 @@ RingPaperOptions ring_paper_options(const Options& given) {
   o.distance = distance == "centroids" ? ComponentDistance::centroids
                : distance == "pixels"  ? ComponentDistance::pixels
                                        : ComponentDistance::gaps;
-  o.scan_lines = given.whole("scan_lines", 1, 99);
-  o.scan_spacing_px = given.number("scan_spacing_px", 0, 100);
+  o.scan_lines = given.whole("scan_lines", 1, 25);
+  o.scan_spacing_px = given.number("scan_spacing_px", 0, 20);
   o.margin_px = given.number("margin_px", 0, 1000);
   o.binarisation =
       given.word("binarisation", {"local", "middle"}) == "local" ? Binarisation::local : Binarisation::middle;

