@@ -79,21 +79,30 @@ class BlurredPicture {
   cv::Mat1f known_;
 };
 
+/// How far the profile reaches from the middle.
+double reach_of(const RingPaperOptions& options) { return 1.15 * options.training_marker_px / 2; }
+
+/// Each ring alone, with room for the lines and the blur.
+std::vector<cv::Mat1f> drawn_rings(const RingPaperOptions& options, const std::vector<Annulus>& rings) {
+  const double aside = (options.scan_lines - 1) / 2.0 * options.scan_spacing_px;
+  const int half = static_cast<int>(std::ceil(reach_of(options) + aside + options.training_blur_px / 2)) + 3;
+  std::vector<cv::Mat1f> pictures;
+  for (const Annulus& ring : rings) pictures.push_back(drawn(ring, options.training_marker_px / 2, half));
+  return pictures;
+}
+
 /// The profile of each ring alone, blurred at this orientation. That of a marker is the sum of those of its rings,
 /// because blurring and averaging are linear and rings share no point: so the time does not double with each bit.
 std::vector<std::vector<float>> profiles_of_rings(const RingPaperOptions& options,
-                                                  const std::vector<Annulus>& rings, double orientation_rad) {
-  const double radius = options.training_marker_px / 2, reach = 1.15 * radius;
-  const double aside = (options.scan_lines - 1) / 2.0 * options.scan_spacing_px;
-  const int half = static_cast<int>(std::ceil(reach + aside + options.training_blur_px / 2)) + 3;
-  const Vec2 middle{static_cast<double>(half), static_cast<double>(half)};
-  const Vec2 across = reach * Vec2{-std::sin(orientation_rad), std::cos(orientation_rad)};
+                                                  const std::vector<cv::Mat1f>& rings,
+                                                  double orientation_rad) {
+  const double half = rings.front().cols / 2;
+  const Vec2 middle{half, half};
+  const Vec2 across = reach_of(options) * Vec2{-std::sin(orientation_rad), std::cos(orientation_rad)};
   const std::vector<Tap> taps = taps_of(blur_kernel({orientation_rad, options.training_blur_px}));
-
   std::vector<std::vector<float>> profiles;
-  for (const Annulus& ring : rings) {
-    const cv::Mat1f sharp = drawn(ring, radius, half);
-    BlurredPicture blurred(sharp, taps);
+  for (const cv::Mat1f& ring : rings) {
+    BlurredPicture blurred(ring, taps);
     profiles.push_back(intensity_profile([&](Vec2 point) { return blurred.level_at(point); },
                                          {middle - across, middle + across}, options.scan_lines,
                                          options.scan_spacing_px)
@@ -122,9 +131,10 @@ Marks marks_of(const std::vector<float>& levels, const RingPaperOptions& options
 std::vector<TrainingProfile> training_profiles(const RingPaperOptions& options) {
   const RingGeometry geometry = ring_geometry(options.geometry, options.bits);
   const std::vector<std::string> codes = all_ring_bits(options.bits);
+  const std::vector<cv::Mat1f> sharp = drawn_rings(options, geometry.slots);
   std::vector<TrainingProfile> all;
   for (int turned = 0; turned < 180; turned += kStep_deg) {
-    const auto of_rings = profiles_of_rings(options, geometry.slots, turned * std::numbers::pi / 180);
+    const auto of_rings = profiles_of_rings(options, sharp, turned * std::numbers::pi / 180);
     for (const std::string& bits : codes) {
       const std::vector<float> levels = sum_of_rings(of_rings, geometry.slots, rings_of({geometry, bits}));
       std::vector<float> one = normalised(levels, marks_of(levels, options), options.samples);
