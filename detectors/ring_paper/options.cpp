@@ -39,7 +39,9 @@ std::vector<OptionInfo> ring_paper_option_list() {
        "what is 1 to the threshold: the picture's peak, or an edge from black to white"},
       number("least_contrast", d.least_contrast, "grey levels",
              "step of an edge that can be the peak, so that noise is not amplified to it"),
-      number("least_area_px", d.least_area_px, "px", "smallest component, in pixels: noise is smaller"),
+      number("least_area_px", d.least_area_px, "px",
+             "smallest component, in pixels: 126 is the filters' window, pi sigma^2 / gamma; smaller is "
+             "noise or the tip of a weak response"),
       number("most_components", d.most_components, "",
              "components that are clustered, the largest ones: time grows with their square"),
       {"distance", "gaps", "",
