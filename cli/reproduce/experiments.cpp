@@ -1,0 +1,22 @@
+#include "cli/reproduce/experiment.h"
+#include "cli/reproduce/recognition.h"
+#if __has_include("cli/reproduce/flights.h")
+#include "cli/reproduce/flights.h"
+#define RELOCK_REPRODUCES_FLIGHTS
+#endif
+
+namespace relock::reproduction {
+
+const std::vector<Experiment>& experiments() {
+  static const std::vector<Experiment> all{
+      {"figure-3", "square markers on a blurred canvas", figure_3},
+      {"figure-11", "rings and square markers on the same canvas", figure_11},
+#ifdef RELOCK_REPRODUCES_FLIGHTS
+      {"table-2", "rings and square markers on four simulated flights", table_2},
+      {"figure-12", "the same round a box", figure_12},
+#endif
+  };
+  return all;
+}
+
+}  // namespace relock::reproduction
