@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/stage.h"
+#include "detectors/ring_paper.h"
+#include "detectors/ring_paper/axis.h"
+#include "detectors/ring_paper/clustering.h"
+#include "detectors/ring_paper/components.h"
+#include "detectors/ring_paper/gabor.h"
+#include "detectors/ring_paper/profile.h"
+#include "detectors/ring_paper/training.h"
+
+namespace relock::ring_paper {
+
+/// A cluster and what was found out about it, as far as it came.
+struct Candidate {
+  Cluster cluster;
+  Axis axis;
+  Profile profile;
+  std::vector<Bar> bars;
+  std::optional<Marks> marks = {};     ///< none: their number or widths are not allowable
+  std::vector<float> normalised = {};  ///< what was classified
+  std::optional<Reading> reading = {};
+  bool accepted = false;
+};
+
+/// Everything that one look at a picture makes; what is in a picture is in its coordinates.
+struct Look {
+  cv::Mat1b gray;
+  cv::Mat1f response;  ///< normalised: 1 is the peak
+  cv::Mat1b binary;    ///< 255 above the threshold
+  Components components;
+  std::vector<Candidate> candidates;
+};
+
+class RingPaperDetector final : public ExplainingDetector {
+ public:
+  explicit RingPaperDetector(const RingPaperOptions& options);
+
+  Sightings detect(const Image& image, const std::optional<Box>& where) override;
+  std::vector<Stage> explain(const Image& image, const std::optional<Box>& where) override;
+
+ private:
+  /// The paper's figure 6, on a grey picture that is not empty.
+  const Look& look(const Image& image);
+  void filter();
+  Candidate classify_cluster(const Cluster& cluster) const;
+  Sightings sightings(Vec2 offset) const;
+
+  RingPaperOptions options_;
+  GaborBank bank_;
+  std::shared_ptr<const std::vector<TrainingProfile>> training_;
+  cv::Mat gray_;
+  Look look_;
+};
+
+}  // namespace relock::ring_paper
