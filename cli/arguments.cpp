@@ -106,6 +106,9 @@ void add_detect(CLI::App& app, DetectArguments& a) {
   verb.add_option("--method", a.method, "a detector, with options: aruco(dictionary=4x4_50)")->required();
   verb.add_flag("--json", a.json, "print one JSON object a picture and line");
   verb.add_option("--draw", a.draw, "write the picture with what was found drawn on it");
+  CLI::Option* explain =
+      verb.add_flag("--explain", a.explain, "show the stages of the detector's work: pictures and charts");
+  verb.add_option("--out", a.out, "folder for the stages")->capture_default_str()->needs(explain);
 }
 
 void add_list(CLI::App& app, ListArguments& a) {

@@ -79,6 +79,8 @@ struct DetectArguments {
   std::string method;
   bool json = false;
   std::optional<std::filesystem::path> draw;
+  bool explain = false;                     ///< show the stages of the detector's work, too
+  std::filesystem::path out = "explained";  ///< folder for them
 };
 int detect(const DetectArguments& arguments, const Methods& methods);
 

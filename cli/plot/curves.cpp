@@ -5,131 +5,147 @@
 #include <cmath>
 
 #include "cli/plot/look.h"
+#include "cli/plot/sheet.h"
 
 namespace relock {
 namespace {
 
 using namespace figure;
 
-constexpr std::size_t kMostMarks = 60;  // more points on a line than this are marked now and then only
+constexpr std::size_t kMostMarks = 60;  // a line with more points than this is marked now and then only
 
 bool has_place(const PlotAxis& axis, double value) {
   return std::isfinite(value) && (!axis.logarithmic || value > 0);
 }
+bool has_place(const Plot& plot, const PlotPoint& point) {
+  return has_place(plot.x, point.x) && has_place(plot.y, point.y);
+}
+/// An interval without an upper end says nothing that could be drawn.
+bool has_whisker(const Plot& plot, const PlotPoint& point) {
+  return has_place(plot, point) && point.interval && has_place(plot.y, point.interval->high) &&
+         std::isfinite(point.interval->low);
+}
+
+struct Extents {
+  Extent x, y;
+};
+Extents extents_of(const Plot& plot) {
+  Extents all;
+  for (const PlotCurve& curve : plot.curves)
+    for (const PlotPoint& point : curve.points) {
+      if (!has_place(plot, point)) continue;
+      all.x.add(point.x), all.y.add(point.y);
+      if (!has_whisker(plot, point)) continue;
+      all.y.add(point.interval->high);
+      if (has_place(plot.y, point.interval->low)) all.y.add(point.interval->low);
+    }
+  // Where whiskers end that go down to 0, which a logarithmic axis does not have.
+  if (plot.y.logarithmic && all.y.low) all.y.low = std::pow(10, std::floor(std::log10(*all.y.low)));
+  return all;
+}
 
 /// A curve's points as gnuplot reads them: an empty line is a break.
-struct CurveData {
-  std::string points;
-  std::string lone;  ///< points without a neighbour, which are no line
-  std::string whiskers;
-  std::size_t drawn = 0;
-};
+std::string points_of(const Plot& plot, const PlotCurve& curve) {
+  std::string text;
+  for (const PlotPoint& point : curve.points)
+    text += has_place(plot, point) ? fmt::format("{} {}\n", point.x, point.y) : "\n";
+  return text;
+}
 
-class Curves {
+/// Those without a neighbour, which no line shows.
+std::string lone_points_of(const Plot& plot, const PlotCurve& curve) {
+  std::string text;
+  const auto& points = curve.points;
+  const auto drawn = [&](std::size_t i) { return i < points.size() && has_place(plot, points[i]); };
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (drawn(i) && !drawn(i + 1) && !(i > 0 && drawn(i - 1)))
+      text += fmt::format("{} {}\n", points[i].x, points[i].y);
+  return text;
+}
+
+std::string whiskers_of(const Plot& plot, const PlotCurve& curve, double bottom) {
+  std::string text;
+  for (const PlotPoint& point : curve.points) {
+    if (!has_whisker(plot, point)) continue;
+    const double low = has_place(plot.y, point.interval->low) ? point.interval->low : bottom;
+    text += fmt::format("{} {} 0 {}\n", point.x, low, point.interval->high - low);
+  }
+  return text;
+}
+
+/// What is plotted, from the back to the front.
+class Layers {
  public:
-  explicit Curves(const Plot& plot) : plot_(plot) {}
-
-  std::string script() {
+  explicit Layers(const Plot& plot, const Extents& extents)
+      : plot_(plot), bottom_(plot.y.low.value_or(extents.y.low.value_or(0))) {
     std::size_t ours = 0, published = 0;
-    for (const PlotCurve& curve : plot_.curves)
-      add(curve, curve.published ? published_look(published++) : curve_look(ours++));
-    if (!x_.low) behind_.emplace_back("NaN notitle");
-    const std::string data = std::move(data_);
-    return data + axis("x", plot_.x, x_, .8 * plot_.width_mm) + axis("y", plot_.y, y_, .8 * plot_.height_mm) +
-           legend() + nothing() + fmt::format("plot {}\n", fmt::join(all(), ", \\\n     "));
+    for (const PlotCurve& curve : plot.curves)
+      if (curve.published) names_.push_back(add(curve, published_look(published++)));
+    std::vector<std::string> names;
+    for (const PlotCurve& curve : plot.curves)
+      if (!curve.published) names.push_back(add(curve, curve_look(ours++)));
+    names_.insert(names_.begin(), names.begin(), names.end());
+  }
+
+  std::string script() const {
+    std::vector<std::string> all{"NaN notitle"};  // so that there is something to plot
+    all.insert(all.end(), parts_.begin(), parts_.end());
+    for (const std::string& name : names_)
+      if (!name.empty()) all.push_back(name);
+    return data_ + fmt::format("plot {}\n", fmt::join(all, ", \\\n     "));
   }
 
  private:
-  bool drawable(const PlotPoint& point) const {
-    return has_place(plot_.x, point.x) && has_place(plot_.y, point.y);
-  }
-
-  CurveData data_of(const PlotCurve& curve) {
-    CurveData data;
-    const auto& points = curve.points;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const PlotPoint& point = points[i];
-      if (!drawable(point)) {
-        data.points += "\n";
-        continue;
-      }
-      const std::string place = fmt::format("{} {}\n", point.x, point.y);
-      const bool alone =
-          (i == 0 || !drawable(points[i - 1])) && (i + 1 == points.size() || !drawable(points[i + 1]));
-      data.points += place;
-      if (alone) data.lone += place;
-      ++data.drawn;
-      x_.add(point.x), y_.add(point.y);
-      if (point.interval) add_whisker(point, data);
-    }
-    return data;
-  }
-
-  void add_whisker(const PlotPoint& point, CurveData& data) {
-    const double low = point.interval->low, high = point.interval->high;
-    if (!has_place(plot_.y, high) || !std::isfinite(low)) return;  // it has no end
-    // On a logarithmic axis nothing is at 0: the whisker goes as far down as the point is from its upper end.
-    const double end = has_place(plot_.y, low) ? low : point.y * point.y / high;
-    data.whiskers += fmt::format("{} {} {} {}\n", point.x, point.y, end, high);
-    y_.add(end), y_.add(high);
-  }
-
-  void add(const PlotCurve& curve, const CurveLook& look) {
-    const CurveData data = data_of(curve);
-    auto& layer = curve.published ? behind_ : before_;
-    const auto part = [&](const std::string& content, const std::string& how) {
-      if (content.empty()) return;
-      data_ += fmt::format("$d{} << END\n{}END\n", ++blocks_, content);
-      layer.push_back(fmt::format("$d{} {} notitle", blocks_, how));
-    };
+  /// Adds a curve; returns its line in the legend.
+  std::string add(const PlotCurve& curve, const CurveLook& look) {
     const bool line = curve.style != CurveStyle::points, marks = curve.style != CurveStyle::line;
-    const std::string way = line && marks ? "linespoints" : line ? "lines" : "points";
-    std::string how = fmt::format("with {} {}", way, look.line);
+    std::string how = line && marks ? "with linespoints " : line ? "with lines " : "with points ";
+    how += look.line;
     if (marks) how += " " + look.points;
-    const std::size_t step = data.drawn > kMostMarks ? data.drawn / (kMostMarks / 2) : 1;
-    part(data.whiskers,
-         fmt::format("with yerrorbars pointtype 7 pointsize 0 dashtype solid linewidth {} linecolor rgb '{}'",
-                     kWhisker, look.colour));
-    if (data.drawn > 0)
-      part(data.points, line && marks && step > 1 ? fmt::format("{} pointinterval {}", how, step) : how);
+    put(whiskers_of(plot_, curve, bottom_),
+        fmt::format("with vectors heads size screen .004,90 linetype 1 linewidth {} linecolor rgb '{}'",
+                    kWhisker, look.colour));
+    const bool crowded = line && marks && curve.points.size() > kMostMarks;
+    put(points_of(plot_, curve),
+        how + (crowded ? fmt::format(" pointinterval {}", curve.points.size() * 2 / kMostMarks) : ""));
     if (!marks)
-      part(data.lone, fmt::format("with points pointtype 7 pointsize .25 linecolor rgb '{}'", look.colour));
-    if (curve.name.empty()) return;
-    legend_.push_back(fmt::format("keyentry {} title {}", how, literal(curve.name)));
-    longest_ = std::max(longest_, width_mm(curve.name, kText));
+      put(lone_points_of(plot_, curve),
+          fmt::format("with points pointtype 7 pointsize .3 * mark linecolor rgb '{}'", look.colour));
+    return curve.name.empty() ? "" : fmt::format("keyentry {} title {}", how, literal(curve.name));
   }
 
-  std::string legend() const {
-    // Beside the panel; below it when names are so long that they would take the panel's place.
-    const bool beside = longest_ < .3 * plot_.width_mm;
-    return fmt::format("set key {} Left reverse samplen 3 spacing 1.2 width 1\n",
-                       beside ? "outside right top vertical" : "outside bottom center horizontal");
-  }
-
-  std::string nothing() const {
-    if (x_.low) return "";
-    return fmt::format("set label 'no data' at graph .5, graph .5 center textcolor rgb '{}'\n", kGrey);
-  }
-
-  std::vector<std::string> all() const {
-    std::vector<std::string> parts = behind_;
-    parts.insert(parts.end(), before_.begin(), before_.end());
-    parts.insert(parts.end(), legend_.begin(), legend_.end());
-    return parts;
+  void put(const std::string& content, const std::string& how) {
+    if (content.find_first_not_of('\n') == std::string::npos) return;
+    data_ += fmt::format("$d{} << END\n{}END\n", parts_.size(), content);
+    parts_.push_back(fmt::format("$d{} {} notitle", parts_.size(), how));
   }
 
   const Plot& plot_;
-  Extent x_, y_;
+  double bottom_;
   std::string data_;
-  std::size_t blocks_ = 0;
-  std::vector<std::string> behind_, before_, legend_;
-  double longest_ = 0;  // mm
+  std::vector<std::string> parts_, names_;
 };
+
+Legend legend_of(const Plot& plot) {
+  std::vector<std::string> names;
+  for (const PlotCurve& curve : plot.curves)
+    if (!curve.name.empty()) names.push_back(curve.name);
+  return legend_for(names, plot.width_mm);
+}
 
 }  // namespace
 
 void draw(const Plot& plot, const std::filesystem::path& file) {
-  figure::draw_into(file, plot.width_mm, plot.height_mm, plot.title, Curves(plot).script());
+  constexpr double kLeastPanel = 30;  // mm; below it a long legend makes the sheet higher
+  const Legend legend = legend_of(plot);
+  Sheet paper{plot.title, plot.width_mm, plot.height_mm, legend.rows_below};
+  paper.height_mm = std::max(paper.height_mm, margins_mm(paper) + kLeastPanel);
+  const Extents extents = extents_of(plot);
+  std::string script =
+      sheet(paper) + legend.script + axis("x", plot.x, extents.x) + axis("y", plot.y, extents.y);
+  if (!extents.x.low)
+    script += fmt::format("set label 'no data' at graph .5, graph .5 center textcolor rgb '{}'\n", kGrey);
+  draw_into(file, paper.width_mm, paper.height_mm, script + Layers(plot, extents).script());
 }
 
 }  // namespace relock

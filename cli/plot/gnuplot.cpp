@@ -61,12 +61,10 @@ class MemoryFile {
 
 /// Ours, without what changes a drawing.
 std::vector<std::string> environment() {
-  std::vector<std::string> variables{"LC_ALL=C", "SOURCE_DATE_EPOCH=0"};
+  std::vector<std::string> variables{"LC_ALL=C"};
   for (char** variable = environ; *variable; ++variable) {
     const std::string_view text(*variable);
-    const bool ours =
-        text.starts_with("LC_ALL=") || text.starts_with("SOURCE_DATE_EPOCH=") || text.starts_with("GNU");
-    if (!ours) variables.emplace_back(text);
+    if (!text.starts_with("LC_ALL=") && !text.starts_with("GNU")) variables.emplace_back(text);
   }
   return variables;
 }

@@ -9,9 +9,9 @@ namespace relock::figure {
 /// Whether it is installed.
 bool gnuplot_is_there();
 
-/// What gnuplot writes to its standard output for this script. It is started without the user's settings, and its
-/// clock stands still, so that the same script gives the same bytes. Throws Error when it is not installed, and with
-/// its own last words when it fails.
+/// What gnuplot writes to its standard output for this script. It is started without the user's settings, so that
+/// the same script gives the same bytes. Throws Error when it is not installed, and with its own last words when it
+/// fails.
 std::string gnuplot(const std::string& script);
 
 }  // namespace relock::figure

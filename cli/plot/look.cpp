@@ -3,18 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
+#include <vector>
 
-#include "cli/files.h"
-#include "cli/plot/gnuplot.h"
 #include "cli/terminal.h"
 #include "core/error.h"
 
 namespace relock::figure {
 namespace {
 
-constexpr std::string_view kFont = "DejaVu Sans";
 constexpr double kMmPerPoint = 25.4 / 72;
 
 struct Shape {
@@ -22,22 +20,22 @@ struct Shape {
   double size;
 };
 // As far from each other as can be, the filled ones first; sizes so that all look equally large.
-constexpr std::array<Shape, 12> kShapes{{{7, .5},
-                                         {5, .45},
-                                         {9, .6},
-                                         {13, .6},
-                                         {11, .6},
-                                         {2, .5},
-                                         {6, .5},
-                                         {4, .45},
-                                         {8, .6},
-                                         {12, .6},
-                                         {1, .6},
-                                         {10, .6}}};
+constexpr std::array<Shape, 12> kShapes{{{7, .6},
+                                         {5, .55},
+                                         {9, .75},
+                                         {13, .75},
+                                         {11, .75},
+                                         {2, .65},
+                                         {6, .7},
+                                         {4, .6},
+                                         {8, .8},
+                                         {12, .8},
+                                         {1, .75},
+                                         {10, .8}}};
 constexpr std::array<std::string_view, 5> kDashes{"solid", "(12,5)", "(3,4)", "(14,4,3,4)", "(24,6)"};
 
 std::string points_of(const Shape& shape) {
-  return fmt::format("pointtype {} pointsize {:g}", shape.type, shape.size);
+  return fmt::format("pointtype {} pointsize {:g} * mark", shape.type, shape.size);
 }
 
 /// What is no character for a drawing (control characters, broken UTF-8) is left out.
@@ -62,36 +60,6 @@ std::string legible(std::string_view text) {
   return whole;
 }
 
-/// A terminal of gnuplot, and what a sheet, letters, lines and points of a stated size are to it.
-struct Terminal {
-  std::string_view name;
-  std::string_view unit;  ///< of a sheet's size
-  double units_per_inch;
-  double letters, lines, points;  ///< times pt
-  std::string_view more;
-};
-const Terminal& terminal_for(const std::filesystem::path& file) {
-  static const std::map<std::string, Terminal> known{
-      {".svg", {"svg", "", 96, 96. / 72, 96. / 72, 1, "background '#ffffff'"}},
-      {".pdf", {"pdfcairo", "in", 1, 2, 2, 1, ""}},
-      {".png", {"pngcairo", "", 200, 200. / 96, 200. / 72, 200. / 96, ""}}};
-  const auto found = known.find(file.extension().string());
-  if (found == known.end())
-    throw Error(fmt::format("{} cannot be drawn; a plot's name ends in .svg, .pdf or .png", file.string()));
-  return found->second;
-}
-
-std::string set_terminal(const Terminal& terminal, double width_mm, double height_mm) {
-  const auto size = [&](double mm) {
-    const double units = mm / 25.4 * terminal.units_per_inch;
-    return fmt::format("{:g}{}", terminal.unit.empty() ? std::round(units) : units, terminal.unit);
-  };
-  return fmt::format("set terminal {} noenhanced size {},{} font '{},{:g}' linewidth {:g} {}\n",
-                     terminal.name, size(width_mm), size(height_mm), kFont, kText * terminal.letters,
-                     terminal.lines, terminal.more) +
-         fmt::format("set encoding utf8\nset pointsize {:g}\n", terminal.points);
-}
-
 }  // namespace
 
 std::string_view colour(std::size_t i) {
@@ -112,7 +80,7 @@ CurveLook published_look(std::size_t i) {
   const std::string grey(i % 2 == 0 ? kGrey : "#505050");
   const std::array<std::string_view, 3> dashes{"(9,7)", "(4,6)", "(14,5,3,5)"};
   return {fmt::format("linewidth {} linecolor rgb '{}' dashtype {}", kCurve, grey, dashes[i % dashes.size()]),
-          points_of({kOpen[i % kOpen.size()], .6}), grey};
+          points_of({kOpen[i % kOpen.size()], .8}), grey};
 }
 
 std::string literal(std::string_view text) {
@@ -148,7 +116,7 @@ void Extent::add(double value) {
   high = std::max(high.value_or(value), value);
 }
 
-std::string axis(std::string_view name, const PlotAxis& axis, const Extent& data, double length_mm) {
+std::string axis(std::string_view name, const PlotAxis& axis, const Extent& data) {
   double low = axis.low.value_or(data.low.value_or(axis.logarithmic ? 1 : 0));
   double high = axis.high.value_or(data.high.value_or(axis.logarithmic ? 10 : 1));
   bool widened = !data.low;
@@ -167,34 +135,9 @@ std::string axis(std::string_view name, const PlotAxis& axis, const Extent& data
   const auto end = [&](const std::optional<double>& stated, double value) {
     return stated || widened ? fmt::format("{}", value) : std::string("*");
   };
-  const Lines title = broken(axis.title, length_mm, kText);
   return fmt::format("set {0}range [{1}:{2}]\nset {0}label {3} textcolor rgb '{4}'\n{5}", name,
-                     end(axis.low, low), end(axis.high, high), title.literal, kInk,
+                     end(axis.low, low), end(axis.high, high), literal(axis.title), kInk,
                      axis.logarithmic ? fmt::format("set logscale {}\n", name) : "");
-}
-
-std::string sheet(std::string_view title, double width, std::size_t lines_below) {
-  (void)lines_below;
-  const Lines heading = broken(title, width * .8, kTitle);
-  std::string script = fmt::format(
-      "set border 3 back linewidth {0} linecolor rgb '{1}'\n"
-      "set grid back linewidth {2} linecolor rgb '#cccccc' dashtype solid, linewidth {2} linecolor rgb "
-      "'#cccccc' dashtype solid\n"
-      "set tics nomirror out scale 0.5 textcolor rgb '{1}'\n"
-      "set format '%g'\nset key noenhanced textcolor rgb '{1}'\nset bars small\n",
-      kAxis, kInk, kGrid);
-  if (!title.empty())
-    script += fmt::format(
-        "set tmargin {}\nset label {} at graph 0, graph 1 left offset 0,character {} textcolor rgb '{}'\n",
-        static_cast<double>(heading.count) + 1, heading.literal, static_cast<double>(heading.count) - .2,
-        kInk);
-  return script;
-}
-
-void draw_into(const std::filesystem::path& file, double width, double height, std::string_view title,
-               const std::string& script) {
-  const Terminal& terminal = terminal_for(file);
-  write_file(file, gnuplot(set_terminal(terminal, width, height) + sheet(title, width, 0) + script));
 }
 
 }  // namespace relock::figure

@@ -1,28 +1,27 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "cli/plot/plot.h"
 
-// How all plots look, in gnuplot's language.
+// How curves, texts and axes of all plots look, in gnuplot's language.
 
 namespace relock::figure {
 
-constexpr double kText = 8, kTitle = 9;  ///< sizes of letters, pt
+constexpr double kText = 8;  ///< size of letters, pt
 /// Thicknesses of lines, pt.
 constexpr double kCurve = 1.1, kWhisker = 0.7, kAxis = 0.6, kGrid = 0.4;
 constexpr std::string_view kInk = "#222222", kGrey = "#808080";
 
-/// Colours that are told apart by people who see few of them (Okabe and Ito, without their yellow, which white paper
-/// swallows); they repeat.
+/// Colours that are told apart by people who see few of them (Okabe and Ito, without their yellow, which white
+/// paper swallows); they repeat.
 std::string_view colour(std::size_t i);
 
-/// How the i-th curve is told from the others: 84 differ in colour or shape of their points, and lines in their dashes,
-/// too. Published ones are grey and dashed.
+/// How the i-th curve is told from the others: 84 differ in colour or shape of their points, and lines in their
+/// dashes, too. Published ones are grey and dashed.
 struct CurveLook {
   std::string line;    ///< thickness, colour and dashes
   std::string points;  ///< shape and size
@@ -39,7 +38,7 @@ struct Lines {
   std::size_t count = 0;
 };
 Lines broken(std::string_view text, double width_mm, double letters_pt);
-/// Width that a text needs, about.
+/// The width that a text needs, about.
 double width_mm(std::string_view text, double letters_pt);
 
 /// Least and greatest of what is drawn.
@@ -48,13 +47,6 @@ struct Extent {
   void add(double value);
 };
 /// `set xrange`, its title and its scale; `name` is x or y. Throws Error when the axis' ends are not in order.
-std::string axis(std::string_view name, const PlotAxis& axis, const Extent& data, double length_mm);
-
-/// A sheet of this size with thin axes, a light grid, and the title.
-std::string sheet(std::string_view title, double width_mm, std::size_t lines_below);
-
-/// Has gnuplot draw the script onto a sheet, into the file. Throws Error as draw() does.
-void draw_into(const std::filesystem::path& file, double width_mm, double height_mm, std::string_view title,
-               const std::string& script);
+std::string axis(std::string_view name, const PlotAxis& axis, const Extent& data);
 
 }  // namespace relock::figure
