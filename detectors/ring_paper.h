@@ -56,7 +56,7 @@ struct RingPaperOptions {
   double margin_px = 5;  ///< how far the profile goes on beyond the cluster's box
   Binarisation binarisation = Binarisation::local;
   double prominence = 0.05;      ///< of a turning point, parts of the profile's range
-  double width_tolerance = 1.0;  ///< of a bright stretch, parts of their mean width
+  double width_tolerance = 0.5;  ///< of a bright stretch, parts of their mean width
   int samples = 100;             ///< of a profile that is compared
   double training_marker_px = 150;
   Compared compared = Compared::all;

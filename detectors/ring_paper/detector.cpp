@@ -56,12 +56,14 @@ Candidate RingPaperDetector::classify_cluster(const Cluster& cluster) const {
   c.profile = intensity_profile([this](Vec2 point) { return level_at(look_.gray, point); },
                                 through_box(c.axis, o.margin_px), o.scan_lines, o.scan_spacing_px);
   c.bars = bright_bars(c.profile.levels, o.binarisation, o.prominence);
-  c.marks = allowable_marks(c.bars, o.bits, o.width_tolerance);
-  if (!c.marks) return c;
-  c.normalised = normalised(c.profile.levels, *c.marks, o.samples);  // step 4: classification
-  c.reading = classify(c.normalised, *training_, o.neighbours,
-                       o.compared == Compared::count ? std::optional(c.marks->rings()) : std::nullopt);
-  c.accepted = c.reading->neighbours.front().distance <= o.farthest;
+  for (const Marks& marks : allowable_marks(c.bars, o.bits, o.width_tolerance)) {
+    std::vector<float> levels = normalised(c.profile.levels, marks, o.samples);  // step 4: classification
+    Reading reading = classify(levels, *training_, o.neighbours,
+                               o.compared == Compared::count ? std::optional(marks.rings()) : std::nullopt);
+    if (c.reading && c.reading->distance() <= reading.distance()) continue;
+    c.marks = marks, c.normalised = std::move(levels), c.reading = std::move(reading);
+  }
+  c.accepted = c.reading && c.reading->distance() <= o.farthest;
   return c;
 }
 
@@ -71,7 +73,7 @@ Sightings RingPaperDetector::sightings(Vec2 offset) const {
     if (c.accepted) accepted.push_back(&c);
   std::stable_sort(accepted.begin(), accepted.end(), [](const Candidate* a, const Candidate* b) {
     if (a->reading->votes != b->reading->votes) return a->reading->votes > b->reading->votes;
-    return a->reading->neighbours.front().distance < b->reading->neighbours.front().distance;
+    return a->reading->distance() < b->reading->distance();
   });
   Sightings found;
   for (const Candidate* c : accepted) {

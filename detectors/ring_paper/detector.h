@@ -43,9 +43,10 @@ class RingPaperDetector final : public ExplainingDetector {
   Sightings detect(const Image& image, const std::optional<Box>& where) override;
   std::vector<Stage> explain(const Image& image, const std::optional<Box>& where) override;
 
- private:
-  /// The paper's figure 6, on a grey picture that is not empty.
+  /// The paper's figure 6: all that detect() makes of a picture, which must not be empty. Good until the next call.
   const Look& look(const Image& image);
+
+ private:
   void filter();
   Candidate classify_cluster(const Cluster& cluster) const;
   Sightings sightings(Vec2 offset) const;

@@ -105,19 +105,16 @@ std::vector<Bar> bright_bars(const std::vector<float>& levels, Binarisation bina
   return bars_between_turns(levels, static_cast<float>(prominence) * (*brightest - *darkest));
 }
 
-std::optional<Marks> allowable_marks(const std::vector<Bar>& bars, int bits, double tolerance) {
+std::vector<Marks> allowable_marks(const std::vector<Bar>& bars, int bits, double tolerance) {
+  std::vector<Marks> all;
   for (int rings = bits + 2; rings >= 2; --rings) {
     const auto count = 2 * static_cast<std::size_t>(rings);
-    double least = tolerance;
-    std::optional<Marks> best;
     for (std::size_t first = 0; first + count <= bars.size(); ++first) {
       const Bar* from = bars.data() + first;
-      const double uneven = unevenness(from, from + count);
-      if (uneven <= least) least = uneven, best = Marks{{from, from + count}};
+      if (unevenness(from, from + count) <= tolerance) all.push_back({{from, from + count}});
     }
-    if (best) return best;
   }
-  return {};
+  return all;
 }
 
 std::vector<float> normalised(const std::vector<float>& levels, const Marks& marks, int samples) {

@@ -52,10 +52,10 @@ struct Marks {
   int rings() const { return static_cast<int>(bars.size()) / 2; }
 };
 
-/// The most bars in a row that can be a marker of so many bits: two for each ring, of which there are at least two
-/// and at most two more than bits, none wider or narrower than their mean width by more than `tolerance` of it. Of
-/// equally many the most uniform. Empty when there are none.
-std::optional<Marks> allowable_marks(const std::vector<Bar>& bars, int bits, double tolerance);
+/// All bars in a row that can be a marker of so many bits: two for each ring, of which there are at least two and
+/// at most two more than bits, none wider or narrower than their mean width by more than `tolerance` of it. What
+/// lies beyond a marker, the edge of its sheet for one, may show bars too, so they need not be all there are.
+std::vector<Marks> allowable_marks(const std::vector<Bar>& bars, int bits, double tolerance);
 
 /// `samples` levels at even distances from one outer transition to the other, the darkest 0 and the brightest 1.
 std::vector<float> normalised(const std::vector<float>& levels, const Marks& marks, int samples);

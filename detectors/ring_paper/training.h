@@ -34,7 +34,8 @@ struct Neighbour {
 struct Reading {
   std::string bits;
   int votes = 0;
-  std::vector<Neighbour> neighbours;  ///< the K nearest, nearest first
+  std::vector<Neighbour> neighbours;  ///< the K nearest, nearest first, at least one
+  float distance() const { return neighbours.front().distance; }
 };
 
 /// The code that most of the K nearest training profiles have; of codes with equally many the one that is nearest.
