@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "cli/drawing.h"
 #include "cli/reproduce/folder.h"
 #include "cli/reproduce/pictures.h"
-#include "core/error.h"
 
 namespace relock::reproduction {
 namespace {
@@ -30,10 +28,8 @@ void write(cv::Mat& picture, const std::string& text, cv::Point at, double size,
 }  // namespace
 
 cv::Mat with_answers(const cv::Mat& picture, const Sightings& sightings) {
-  cv::Mat answered = picture.clone();
-  if (picture.channels() == 1) cv::cvtColor(picture, answered, cv::COLOR_GRAY2BGR);
+  cv::Mat answered = drawn(picture, sightings);
   for (const Sighting& sighting : sightings) {
-    answered = drawn(answered, {sighting});
     if (!sighting.code) continue;
     const cv::Point at(static_cast<int>(sighting.centre.x) + 8, static_cast<int>(sighting.centre.y) - 8);
     write(answered, decimal(*sighting.code), at, 1.0, kLabel);
@@ -59,14 +55,14 @@ cv::Mat in_rows(const std::vector<cv::Mat>& pictures, int columns) {
   return all;
 }
 
-std::filesystem::path write_picture(const Settings& settings, const std::string& id, const cv::Mat& picture) {
+std::filesystem::path write_figure(const Settings& settings, const std::string& id, const cv::Mat& picture) {
   cv::Mat marked = picture;
   if (settings.quick) {
     cv::copyMakeBorder(picture, marked, kCaption_px, 0, 0, 0, cv::BORDER_CONSTANT, kPaper);
     write(marked, "QUICK", {2, kCaption_px - 7}, kLetters, kInk);
   }
   const auto file = file_of(settings, id, 0, ".png");
-  if (!cv::imwrite(file.string(), marked)) throw Error(fmt::format("{} cannot be written", file.string()));
+  write_picture(file, marked);
   return file;
 }
 

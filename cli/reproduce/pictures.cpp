@@ -43,15 +43,15 @@ Finding begun(const std::string& id, const std::string& title, const Methods& me
   return finding;
 }
 
-/// The first flights, by seed, that have a frame by the rule in their first 0.4 s.
-constexpr std::array<std::uint64_t, 4> kSeedsOfFigure8{4, 6, 7, 9};
+/// Of flights that have a frame by the rule within 0.2 s.
+constexpr std::array<std::uint64_t, 4> kSeedsOfFigure8{4, 6, 12, 14};
 constexpr std::uint64_t kSeedOfFigure9 = 10;
 
 /// A jerky flight near a target, so that a ring has some 100 px.
 simulator::FlightPlan near_flight(std::uint64_t seed) {
   simulator::FlightPlan plan = simulator::flight_preset("violent");
   plan.seed = seed;
-  plan.duration_s = 0.4;
+  plan.duration_s = 0.2;
   plan.motion.distance_m = 0.5;
   return plan;
 }
@@ -61,7 +61,6 @@ simulator::FlightPlan wide_flight(std::uint64_t seed) {
   simulator::FlightPlan plan = near_flight(seed);
   plan.camera.width = 1280, plan.camera.height = 720;
   plan.motion.distance_m = 1;
-  plan.duration_s = 0.2;
   plan.targets = simulator::flight_preset("wall4").targets;
   return plan;
 }
@@ -170,7 +169,7 @@ std::vector<Finding> figure_8(const Settings& settings, const Methods& methods) 
     finding.figures.push_back(json_of(frame.recording, 0, verdict));
   }
   finding.sentences.push_back(fmt::format("Shown is {}.", kRule));
-  finding.pictures = {write_picture(settings, finding.id, in_rows(pictures, 2))};
+  finding.pictures = {write_figure(settings, finding.id, in_rows(pictures, 2))};
   return {finding};
 }
 
@@ -192,7 +191,7 @@ std::vector<Finding> figure_9(const Settings& settings, const Methods& methods) 
   }
   finding.sentences.push_back(fmt::format("Shown is {}.", kRule));
   finding.pictures = {
-      write_picture(settings, finding.id, captioned(with_answers(frame.picture, seen), caption))};
+      write_figure(settings, finding.id, captioned(with_answers(frame.picture, seen), caption))};
   return {finding};
 }
 
@@ -202,10 +201,9 @@ std::vector<Finding> figure_10(const Settings& settings, const Methods& methods)
   if (!detector) return {finding};
   simulator::CanvasPlan plan;
   plan.canvas_px = 320;
-  plan.lengths_px =
-      settings.quick ? std::vector<double>{50, 65, 80} : std::vector<double>{50, 55, 60, 65, 70, 75, 80};
-  plan.angles_deg = settings.quick ? std::vector<double>{0, 45, 90, 135}
-                                   : std::vector<double>{0, 22, 45, 67, 90, 112, 135, 157};
+  plan.lengths_px = {50, 65, 80};
+  plan.angles_deg = {0, 45, 90, 135};
+  if (!settings.quick) plan.angles_deg = {0, 22, 45, 67, 90, 112, 135, 157};
   simulator::check_canvas(plan);
   std::vector<cv::Mat> pictures;
   std::size_t found = 0;
@@ -228,7 +226,7 @@ std::vector<Finding> figure_10(const Settings& settings, const Methods& methods)
   }
   finding.sentences.push_back(fmt::format("{} of {} rings were recognised.", found, pictures.size()));
   finding.pictures = {
-      write_picture(settings, finding.id, in_rows(pictures, static_cast<int>(plan.angles_deg.size())))};
+      write_figure(settings, finding.id, in_rows(pictures, static_cast<int>(plan.angles_deg.size())))};
   return {finding};
 }
 

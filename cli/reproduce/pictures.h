@@ -26,6 +26,6 @@ cv::Mat captioned(const cv::Mat& picture, const std::string& caption);
 /// Pictures of one size, side by side in rows of `columns`.
 cv::Mat in_rows(const std::vector<cv::Mat>& pictures, int columns);
 /// Writes OUT/ID.png and returns its name; with --quick OUT/ID-QUICK.png, with that word at the top.
-std::filesystem::path write_picture(const Settings& settings, const std::string& id, const cv::Mat& picture);
+std::filesystem::path write_figure(const Settings& settings, const std::string& id, const cv::Mat& picture);
 
 }  // namespace relock::reproduction

@@ -215,8 +215,11 @@ std::vector<std::string> ring_sentences(const std::vector<RingRates>& rings) {
   }
   if (departs)
     sentences.push_back(
-        "The printed rates are not those of the authors' own program, either: on such a canvas their "
-        "released code reads 100 % up to 45 px, 92 % at 50, 33 % at 65 and 43 % at 80.");
+        "The printed rates are not those of the authors' released program, either. Run on such a canvas, all "
+        "codes "
+        "together, it reads 100 % of rings of 150 px at 30 px of blur, 90 to 94 % from 35 to 65 px and 32 % "
+        "at 80; of "
+        "rings of 100 px 100 % up to 45 px, 92 % at 50 and 33 % at 65.");
   return sentences;
 }
 
