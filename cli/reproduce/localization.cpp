@@ -91,7 +91,7 @@ std::vector<std::string> row_of(const std::string& first, const std::string& pri
 }
 
 Table table_of(const MethodAnswers& said) {
-  Table table({"angle, degrees", "printed, px", "ours, px", "of the mean", "found", "along", "across",
+  Table table({"angle, degrees", "printed, px", "ours, px", "95 % of the mean", "found", "along", "across",
                "with all 00", "found"});
   for (const paper::CentreError& row : paper::centre_errors())
     table.add(row_of(fmt::format("{:g}", row.angle_deg),

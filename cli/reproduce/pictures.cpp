@@ -189,7 +189,8 @@ std::vector<Finding> figure_9(const Settings& settings, const Methods& methods) 
     finding.sentences.push_back(told(frame.recording, target, all[target]) + ".");
     finding.figures.push_back(json_of(frame.recording, target, all[target]));
   }
-  finding.sentences.push_back(fmt::format("Shown is {}.", kRule));
+  finding.sentences.push_back(fmt::format(
+      "Shown is {}; it has 1280x720 px, so that four rings beside each other have 100 px each.", kRule));
   finding.pictures = {
       write_figure(settings, finding.id, captioned(with_answers(frame.picture, seen), caption))};
   return {finding};

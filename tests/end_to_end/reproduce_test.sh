@@ -16,7 +16,7 @@ for title in "Figure 3" "Figure 8" "Figure 9" "Figure 10" "Figure 11" "Table 1";
 done
 expect "no title is without the mark" "" "$(grep -E '^(Figure|Table) [0-9]+:' <<<"$said")"
 expect_contains "figure 3 has the paper's rates" "ARTag, printed" "$said"
-expect_contains "beside ours with intervals" "arucooriginal:7            " "$said"
+expect "beside ours with intervals" 2 "$(grep -cE '^ +(arucooriginal|aruco4x4_50):7( +[0-9]+ \[[0-9]+, [0-9]+\]){2}$' <<<"$said")"
 expect_contains "table 1 has the paper's errors" "2.42 ± 1.05" "$said"
 expect_contains "the files are told" "All of it is in $out" "$said"
 expect "what was printed is kept" yes "$([[ $said == "$(cat "$out/reproduction.txt")"* ]] && echo yes)"
