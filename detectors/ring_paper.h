@@ -20,6 +20,13 @@ enum class Normalisation : std::uint8_t {
   edge,  ///< the response to an edge from black to white
 };
 
+/// How far apart two components are.
+enum class ComponentDistance : std::uint8_t {
+  centroids,  ///< their centroids
+  pixels,     ///< their centroids, and a component counts in means as often as it has pixels
+  gaps,       ///< from the one's upright box to the other's
+};
+
 /// How bright and dark are told apart along a profile.
 enum class Binarisation : std::uint8_t {
   local,   ///< halfway between each bright turning point and its dark neighbours
@@ -49,8 +56,9 @@ struct RingPaperOptions {
   int kernel_px = 55;  ///< side of the kernels, odd
   Normalisation normalisation = Normalisation::peak;
   double least_contrast = 20;  ///< of an edge that can be the peak, grey levels
-  int least_area_px = 25;      ///< of a component
+  int least_area_px = 126;     ///< of a component
   int most_components = 1000;  ///< the largest ones are clustered
+  ComponentDistance distance = ComponentDistance::gaps;
   int scan_lines = 3;
   double scan_spacing_px = 5;
   double margin_px = 5;  ///< how far the profile goes on beyond the cluster's box

@@ -42,6 +42,9 @@ std::vector<OptionInfo> ring_paper_option_list() {
       number("least_area_px", d.least_area_px, "px", "smallest component, in pixels: noise is smaller"),
       number("most_components", d.most_components, "",
              "components that are clustered, the largest ones: time grows with their square"),
+      {"distance", "gaps", "",
+       "of two components: of their centroids (centroids), the same with each counting as often as it has "
+       "pixels (pixels), or of their boxes (gaps)"},
       number("scan_lines", d.scan_lines, "", "parallel lines that are averaged to the profile"),
       number("scan_spacing_px", d.scan_spacing_px, "px", "from line to line"),
       number("margin_px", d.margin_px, "px", "how far the profile goes on beyond the cluster's box"),
@@ -83,6 +86,10 @@ RingPaperOptions ring_paper_options(const Options& given) {
   o.least_contrast = given.number("least_contrast", 0.01, 255);
   o.least_area_px = given.whole("least_area_px", 1, 1000000);
   o.most_components = given.whole("most_components", 1, 10000);
+  const std::string& distance = given.word("distance", {"centroids", "pixels", "gaps"});
+  o.distance = distance == "centroids" ? ComponentDistance::centroids
+               : distance == "pixels"  ? ComponentDistance::pixels
+                                       : ComponentDistance::gaps;
   o.scan_lines = given.whole("scan_lines", 1, 99);
   o.scan_spacing_px = given.number("scan_spacing_px", 0, 100);
   o.margin_px = given.number("margin_px", 0, 1000);
