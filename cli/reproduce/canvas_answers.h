@@ -14,11 +14,11 @@ struct PictureAnswer {
   double blur_px = 0;
   double angle_deg = 0;  ///< of the blur, from +x towards +y
   Verdict verdict = Verdict::Miss;
-  bool uncoded = false;             ///< a Hit by place alone: no code was read
-  std::optional<double> error_px;   ///< of the centre; of a Hit, WrongId or Stray
-  std::optional<double> along_px;   ///< its part along the blur, signed
-  std::optional<double> across_px;  ///< its part across the blur
-  int spurious = 0;                 ///< sightings of nothing
+  bool uncoded = false;                  ///< a Hit by place alone: no code was read
+  std::optional<double> error_px = {};   ///< of the centre; of a Hit, WrongId or Stray
+  std::optional<double> along_px = {};   ///< its part along the blur, signed
+  std::optional<double> across_px = {};  ///< its part across the blur
+  int spurious = 0;                      ///< sightings of nothing
 
   /// Found, and its code read rightly.
   bool recognised() const { return verdict == Verdict::Hit && !uncoded; }

@@ -16,9 +16,11 @@ struct Contender {
 /// A way in which the rings are looked for.
 struct RingMethod {
   std::string method;  ///< as it would be typed
-  std::string note;    ///< what is special about it, for tables; empty: the paper's
+  std::string note;    ///< what is special about it, for tables; empty: as it comes
+  std::string reason;  ///< a sentence: why it is looked at beside the first one
 };
-/// The detector of the paper, and the ways to run it that tell its behaviour apart. The first one is the paper's.
+/// The detector of the paper as it comes, and then the ways to read what the paper leaves open under which it behaves
+/// as the paper says. All of them take part in figure 11 and table 1.
 const std::vector<RingMethod>& ring_methods();
 /// The four codes of two bits, as the paper orders them.
 const std::vector<std::string>& ring_codes();

@@ -212,6 +212,7 @@ std::vector<std::string> ring_sentences(const std::vector<RingRates>& rings) {
     }
     sentences.push_back(fmt::format("{}: {} pictures were read as another code.", ring.method.method,
                                     wrong_codes(ring.codes)));
+    if (!ring.method.reason.empty()) sentences.push_back(ring.method.reason);
   }
   if (departs)
     sentences.push_back(

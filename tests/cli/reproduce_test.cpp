@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cli/files.h"
+#include "cli/method_spec.h"
 #include "cli/print/targets.h"
 #include "cli/reproduce/canvas_run.h"
 #include "cli/reproduce/folder.h"
