@@ -13,10 +13,12 @@ const std::vector<RingMethod>& ring_methods() {
       {"ring-paper", "", ""},
       {"ring-paper(distance=centroids)", "centroids",
        "The paper puts components into one cluster up to a distance of 150 and does not say from where to "
-       "where. From "
-       "centroid to centroid, ring-paper(distance=centroids), 00 is lost first, as it prints; across the "
-       "gaps between "
-       "them, as ring-paper comes, 00 is read far beyond. So the loss of 00 is no limit of the picture."}};
+       "where, and "
+       "which codes last depends on it. Across the gaps between them, as ring-paper comes, 00 is read beyond "
+       "50 px, so "
+       "that its loss is no limit of the picture. From centroid to centroid, ring-paper(distance=centroids), "
+       "00 is lost "
+       "as printed, and 10, which is printed to be found, with it."}};
   return methods;
 }
 

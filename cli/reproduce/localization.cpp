@@ -91,8 +91,8 @@ std::vector<std::string> row_of(const std::string& first, const std::string& pri
 }
 
 Table table_of(const MethodAnswers& said) {
-  Table table({"angle, degrees", "printed, px", "ours, px", "95 % of the mean", "found", "along", "across",
-               "with all 00", "found"});
+  Table table({said.method.note.empty() ? "angle, degrees" : "angle, " + said.method.note, "printed, px",
+               "ours, px", "95 % of the mean", "found", "along", "across", "with all 00", "found"});
   for (const paper::CentreError& row : paper::centre_errors())
     table.add(row_of(fmt::format("{:g}", row.angle_deg),
                      fmt::format("{:.2f} ± {:.2f}", row.mean_px, row.deviation_px), said, row.angle_deg));
@@ -213,6 +213,11 @@ std::vector<Finding> table_1(const Settings& settings, const Methods& methods) {
       "with it. Brackets are 95 % of the mean, by Student's t over independent pictures; along and "
       "across the blur are RMS, px.",
       fmt::join(experiment.plan.lengths_px, ", "), ring_codes().size(), paper::kZerosLeftOutFrom_px));
+  if (!all.empty())
+    finding.sentences.push_back(
+        "The paper does not say how the centre follows from a cluster; ring-paper takes that of the circle "
+        "of the "
+        "outermost ring.");
   if (!all.empty()) finding.plots = {plot_of(all)};
   finding.figures = {{"printed", printed_json()}, {"rings", ours}};
   return {finding};
