@@ -2,8 +2,8 @@
 #include "cli/reproduce/localization.h"
 #include "cli/reproduce/pictures.h"
 #include "cli/reproduce/recognition.h"
-#if __has_include("cli/reproduce/flights.h")
-#include "cli/reproduce/flights.h"
+#if __has_include("cli/reproduce/flight_experiments.h")
+#include "cli/reproduce/flight_experiments.h"
 #define RELOCK_REPRODUCES_FLIGHTS
 #endif
 

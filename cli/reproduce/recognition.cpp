@@ -169,16 +169,17 @@ bool customary(const std::string& target) {
          target.starts_with("apriltag36h11:");
 }
 
-Plot plot_of_rings(const std::vector<RingRates>& rings, const std::vector<MarkerRates>& squares) {
+/// One for each way to look for rings: there are no more colours.
+Plot plot_of_rings(const RingRates& rings, const std::vector<MarkerRates>& squares) {
   Plot plot = plot_of("Figure 11: rings by code, and square markers");
-  for (const RingRates& ring : rings)
-    for (std::size_t code = 0; code < ring.codes.size(); ++code)
-      plot.curves.push_back(curve_of("ring " + ring.name(code), ring.codes[code].rates));
+  plot.width_mm = 160, plot.height_mm = 120;
+  for (std::size_t code = 0; code < rings.codes.size(); ++code)
+    plot.curves.push_back(curve_of("ring " + rings.name(code), rings.codes[code].rates));
   for (const MarkerRates& square : squares)
     if (customary(square.contender.target))
       plot.curves.push_back(curve_of(square.contender.target, square.rates));
-  plot.curves.push_back(curve_of("ring 01, 10, 11, printed", paper::ring("01")));
-  plot.curves.push_back(curve_of("ring 00, printed", paper::ring("00")));
+  plot.curves.push_back(curve_of("01, 10, 11, printed", paper::ring("01")));
+  plot.curves.push_back(curve_of("00, printed", paper::ring("00")));
   plot.curves.push_back(curve_of("ARTag, printed", paper::artag()));
   plot.curves.push_back(curve_of("PiTag, printed", paper::pitag()));
   return plot;
@@ -186,6 +187,7 @@ Plot plot_of_rings(const std::vector<RingRates>& rings, const std::vector<Marker
 
 Plot plot_of_squares(const std::string& title, const std::vector<MarkerRates>& squares) {
   Plot plot = plot_of(title);
+  plot.width_mm = 160, plot.height_mm = 120;
   for (const MarkerRates& square : squares)
     plot.curves.push_back(curve_of(square.contender.target, square.rates));
   plot.curves.push_back(curve_of("ARTag, printed", paper::artag()));
@@ -270,7 +272,8 @@ std::vector<Finding> figure_11(const Settings& settings, const Methods& methods)
   finding.sentences = missing_methods(methods, asked);
   finding.sentences.push_back(pictures_sentence(experiment));
   add(finding.sentences, ring_sentences(rings));
-  finding.plots = {plot_of_rings(rings, squares)};
+  for (const RingRates& ring : rings) finding.plots.push_back(plot_of_rings(ring, squares));
+  if (rings.empty()) finding.plots.push_back(plot_of_squares("Figure 11: square markers", squares));
 
   Json ours = Json::array(), printed = Json::array();
   for (const RingRates& ring : rings)

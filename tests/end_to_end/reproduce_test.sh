@@ -25,7 +25,7 @@ for picture in figure-8 figure-9 figure-10; do
 done
 if command -v gnuplot >/dev/null; then
   for plot in figure-3 figure-11 table-1; do
-    expect "$plot is a plot" "$plot-QUICK.pdf $plot-QUICK.png $plot-QUICK.svg" "$(cd "$out" && echo "$plot"-*)"
+    expect "$plot is a plot" "$plot-QUICK.pdf $plot-QUICK.png $plot-QUICK.svg" "$(cd "$out" && echo "$plot"-QUICK.*)"
     expect "$plot is marked" yes "$(grep -q QUICK "$out/$plot-QUICK.svg" && echo yes)"
   done
 fi
