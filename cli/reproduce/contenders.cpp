@@ -9,16 +9,16 @@
 namespace relock::reproduction {
 
 const std::vector<RingMethod>& ring_methods() {
-  static const std::vector<RingMethod> methods{
-      {"ring-paper", "", ""},
-      {"ring-paper(distance=pixels)", "pixels",
-       "The paper puts components into one cluster up to a distance of 150 and does not say from where to "
-       "where, and "
-       "which codes last depends on it. Across the gaps between them, as ring-paper comes, 00 is read beyond "
-       "50 px, so "
-       "that its loss is no limit of the picture. From pixel to pixel on average, "
-       "ring-paper(distance=pixels), 00 is "
-       "lost from 50 px on as printed, and in part 10, which is printed to be found."}};
+  static const std::vector<RingMethod> methods{{"ring-paper", "", ""},
+                                               {"ring-paper(distance=pixels)", "pixels",
+                                                "The paper puts components into one cluster up to a distance "
+                                                "of 150 and does not say from where to where, and "
+                                                "which codes last depends on it. Across the gaps between "
+                                                "them, as ring-paper comes, 00 is read beyond 50 px, so "
+                                                "that its loss is no limit of the picture. From pixel to "
+                                                "pixel on average, ring-paper(distance=pixels), 00 is "
+                                                "lost from 50 px on as printed, and the others at some "
+                                                "angles, though they are printed to be found at all."}};
   return methods;
 }
 
