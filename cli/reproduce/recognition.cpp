@@ -171,7 +171,7 @@ bool customary(const std::string& target) {
 
 /// One for each way to look for rings: there are no more colours.
 Plot plot_of_rings(const RingRates& rings, const std::vector<MarkerRates>& squares) {
-  Plot plot = plot_of("Figure 11: rings by code, and square markers");
+  Plot plot = plot_of(fmt::format("Figure 11: rings by code ({}), and square markers", rings.method.method));
   plot.width_mm = 160, plot.height_mm = 120;
   for (std::size_t code = 0; code < rings.codes.size(); ++code)
     plot.curves.push_back(curve_of("ring " + rings.name(code), rings.codes[code].rates));
