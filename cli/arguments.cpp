@@ -192,6 +192,20 @@ void add_map(CLI::App& app, MapArguments& a) {
   verb.add_flag("--dry-run", a.dry_run, "say what would be made, and about how long it takes");
 }
 
+void add_reproduce(CLI::App& app, ReproduceArguments& a) {
+  CLI::App& verb = *app.add_subcommand(
+      "reproduce", "Run the experiments of the paper that the rings come from, its figures beside ours");
+  verb.add_flag("--quick", a.quick, "a first look: few conditions, marked QUICK in every figure");
+  verb.add_option("--out", a.out,
+                  "the folder; what is there already is not made again; else reproduction, or "
+                  "reproduction-quick");
+  verb.add_option("--jobs,-j", a.jobs, "pictures at a time; the figures are the same for any number")
+      ->capture_default_str();
+  verb.add_option("--only", a.only, "experiments, separated by commas: figure-11,table-1; else all")
+      ->delimiter(',');
+  verb.add_flag("--json", a.json, "print all figures as JSON");
+}
+
 void add_realism(CLI::App& app, RealismArguments& a) {
   CLI::App& verb = *app.add_subcommand("realism", "Compare a simulated flight with real footage, in numbers");
   verb.add_option("simulated", a.simulated, "the flight")->required();
@@ -278,6 +292,7 @@ void add_verbs(CLI::App& app, Arguments& arguments) {
   add_new(app, arguments.start_new);
   add_simulate(app, arguments.simulate);
   add_map(app, arguments.map);
+  add_reproduce(app, arguments.reproduce);
   add_realism(app, arguments.realism);
   add_marker(app, arguments.marker);
   add_export(app, arguments.export_results);

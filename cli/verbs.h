@@ -146,6 +146,15 @@ struct MapArguments {
 };
 int map(const MapArguments& arguments, const Methods& methods);
 
+struct ReproduceArguments {
+  bool quick = false;
+  std::optional<std::filesystem::path> out;  ///< else reproduction, or reproduction-quick
+  int jobs = 1;
+  std::vector<std::string> only;  ///< names of experiments; else all
+  bool json = false;
+};
+int reproduce(const ReproduceArguments& arguments, const Methods& methods);
+
 struct RealismArguments {
   std::filesystem::path simulated;
   std::filesystem::path real = "klahaag";
