@@ -40,13 +40,13 @@ void draw_marker(cv::Mat1b& picture, Vec2 centre, double diameter) {
     }
 }
 
-/// A marker on a wall with noise of this deviation, blurred, and noise of deviation 2 on top.
-cv::Mat1b scene(cv::Size size, double texture) {
+/// A wall with noise of this deviation and a marker on it, blurred, and noise of deviation 2 on top.
+cv::Mat1b scene(cv::Size size, double texture, double diameter) {
   Random random(1);
   cv::Mat1b picture(size, std::uint8_t{128});
   for (std::uint8_t& level : picture)
     level = cv::saturate_cast<std::uint8_t>(level + texture * random.normal());
-  draw_marker(picture, {size.width * 0.6, size.height * 0.5}, 120);
+  draw_marker(picture, {size.width * 0.6, size.height * 0.5}, diameter);
   cv::filter2D(picture, picture, CV_8U, blur_kernel({0.5, texture > 0 ? 2.0 : 30.0}));
   for (std::uint8_t& level : picture) level = cv::saturate_cast<std::uint8_t>(level + 2 * random.normal());
   return picture;
@@ -93,8 +93,9 @@ int main(int argc, char** argv) {
   relock::RingPaperOptions all_components;
   all_components.least_area_px = 1;
   for (const cv::Size size : {cv::Size(640, 480), cv::Size(640, 360)}) {
-    measure("a marker", scene(size, 0), rounds, {});
-    measure("on a noisy wall", scene(size, 100), rounds, {});
-    measure("least_area_px=1", scene(size, 100), rounds, all_components);
+    measure("a marker", scene(size, 0, 120), rounds, {});
+    measure("on a noisy wall", scene(size, 100, 120), rounds, {});
+    measure("noise alone", scene(size, 100, 0), rounds, {});
+    measure("with least_area_px=1", scene(size, 100, 0), rounds, all_components);
   }
 }

@@ -9,10 +9,11 @@
 namespace relock {
 
 void draw_rings(cv::Mat1b& picture, const RingMarker& marker, Vec2 centre, double diameter) {
-  constexpr int kParts = 4;  // of a pixel, in each direction
+  constexpr int kParts = 3;  // of a pixel, in each direction
   const double sheet = marker.geometry.sheet_radius();
   for (int y = 0; y < picture.rows; ++y)
     for (int x = 0; x < picture.cols; ++x) {
+      if (std::hypot(x - centre.x, y - centre.y) > sheet * diameter / 2 + 1) continue;
       double sum = 0;
       for (int part = 0; part < kParts * kParts; ++part) {
         const double dx = x + (part % kParts + 0.5) / kParts - 0.5 - centre.x;

@@ -148,7 +148,7 @@ TEST(RingPaper, ReadsOneTwoAndThreeBits) {
     const auto detector = ring_paper_detector(with({{"bits", std::to_string(bits)}}));
     for (const std::string& code : all_ring_bits(bits))
       for (const BlurEstimate blur : {BlurEstimate{0, 0}, BlurEstimate{2, 25}})
-        EXPECT_EQ(codes(detector->detect(view(blurred_rings(code, 140, blur, 260)))),
+        EXPECT_EQ(codes(detector->detect(view(blurred_rings(code, 120, blur, 200)))),
                   Codes{ring_family(bits) + ":" + code})
             << blur.length_px;
   }
