@@ -61,10 +61,10 @@ struct RingPaperOptions {
   ComponentDistance distance = ComponentDistance::gaps;
   int scan_lines = 3;
   double scan_spacing_px = 5;
-  double margin_px = 5;  ///< how far the profile goes on beyond the cluster's box
+  double margin_px = 16;  ///< how far the profile goes on beyond the cluster's box
   Binarisation binarisation = Binarisation::local;
   double prominence = 0.05;      ///< of a turning point, parts of the profile's range
-  double width_tolerance = 0.5;  ///< of a bright stretch, parts of their mean width
+  double width_tolerance = 0.4;  ///< of a bright stretch, parts of their mean width
   int samples = 100;             ///< of a profile that is compared
   double training_marker_px = 150;
   Compared compared = Compared::all;

@@ -49,7 +49,9 @@ std::vector<OptionInfo> ring_paper_option_list() {
        "pixels (pixels), or of their boxes (gaps)"},
       number("scan_lines", d.scan_lines, "", "parallel lines that are averaged to the profile"),
       number("scan_spacing_px", d.scan_spacing_px, "px", "from line to line"),
-      number("margin_px", d.margin_px, "px", "how far the profile goes on beyond the cluster's box"),
+      number("margin_px", d.margin_px, "px",
+             "how far the profile goes on beyond the cluster's box: a ring and a gap of a marker of 150 px, "
+             "whose arcs may be too small"),
       {"binarisation", "local", "",
        "where bright begins: local, halfway between neighbouring turning points, or middle, that of the "
        "range"},
