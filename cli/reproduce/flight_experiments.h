@@ -16,7 +16,7 @@ std::vector<Finding> figure_12(const Settings& settings, const Methods& methods)
 /// QUICK the second alone, and the same with AprilTags, if that was flown.
 Finding finding_of_tests(const Settings& settings, const std::vector<ScoredComparison>& tests,
                          const std::vector<ScoredComparison>& apriltags);
-Finding finding_of_box(const Settings& settings, const ScoredComparison& rings,
-                       const ScoredComparison& squares);
+/// `rings`: null when no detector looked for them.
+Finding finding_of_box(const ScoredComparison& squares, const ScoredComparison* rings);
 
 }  // namespace relock::reproduction
