@@ -1,11 +1,8 @@
 #include "cli/reproduce/experiment.h"
+#include "cli/reproduce/flight_experiments.h"
 #include "cli/reproduce/localization.h"
 #include "cli/reproduce/pictures.h"
 #include "cli/reproduce/recognition.h"
-#if __has_include("cli/reproduce/flight_experiments.h")
-#include "cli/reproduce/flight_experiments.h"
-#define RELOCK_REPRODUCES_FLIGHTS
-#endif
 
 namespace relock::reproduction {
 
@@ -17,10 +14,8 @@ const std::vector<Experiment>& experiments() {
       {"figure-10", "rings under blur of 50 px and more", figure_10},
       {"figure-11", "rings and square markers on the same canvas", figure_11},
       {"table-1", "error of a ring's centre on that canvas", table_1},
-#ifdef RELOCK_REPRODUCES_FLIGHTS
       {"table-2", "rings and square markers on four simulated flights", table_2},
       {"figure-12", "the same round a box", figure_12},
-#endif
   };
   return all;
 }

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 
 #include "cli/flights.h"
+#include "cli/reproduce/paper.h"
 
 // The flights of the paper's section 4.2, simulated. They are FROZEN: chosen to match what the paper says of its square
 // markers and of its gaps, before the ring detector was run on them, so that what that one scores on them is a
@@ -13,19 +13,9 @@
 
 namespace relock::reproduction {
 
-/// What Table 2 of the paper says of one test.
-struct PaperTest {
-  int number = 0;
-  std::int64_t frames = 0;
-  std::string code;           ///< of the ring
-  double square_percent = 0;  ///< recognition of the ARTags
-  double ring_percent = 0;    ///< of the ring
-};
-const std::array<PaperTest, 4>& paper_tests();
-
 /// The flight of a test, "test-1" …: a ring with its code between two ArUco markers as large, on a wall; as many
 /// frames as the paper's arrive.
-NamedFlight test_flight(const PaperTest& test);
+NamedFlight test_flight(const paper::RecordedTest& test);
 
 /// Section 4.2's box, a marker of 0.3 m on each side: with the rings 00, 01, 10, 11, "box-rings", and on the same way
 /// with ArUco markers in their places, "box-squares".

@@ -14,8 +14,8 @@ namespace {
 const std::string kRing = "ring-paper", kSquare = "aruco", kAprilTag = "apriltag";
 constexpr std::int64_t kQuickFrames = 120;
 
-const PaperTest& test_of(const Settings& settings, std::size_t flight) {
-  return paper_tests()[settings.quick ? 1 : flight];
+const paper::RecordedTest& test_of(const Settings& settings, std::size_t flight) {
+  return paper::recorded_tests()[settings.quick ? 1 : flight];
 }
 
 /// What each method made of each test, and of all together.
@@ -40,11 +40,11 @@ Table recognition_table(const Settings& settings, const Scored& scored) {
   Table table({"test", "frames", "code", "ARTag, paper %", kSquare + " %", "ring, paper %", kRing + " %"});
   std::size_t frames = 0;
   for (std::size_t i = 0; i < scored.tests.size(); ++i) {
-    const PaperTest& test = test_of(settings, i);
+    const paper::RecordedTest& test = test_of(settings, i);
     const std::size_t flown = scored.tests[i].front().frames;
     frames += flown;
-    table.add({fmt::format("{}", test.number), fmt::format("{}", flown), test.code,
-               fmt::format("{:.1f}", test.square_percent), recognition_cell(scored.tests[i], kSquare),
+    table.add({fmt::format("{}", test.number), fmt::format("{}", flown), std::string(test.code),
+               fmt::format("{:.1f}", test.artag_percent), recognition_cell(scored.tests[i], kSquare),
                fmt::format("{:.1f}", test.ring_percent), recognition_cell(scored.tests[i], kRing)});
   }
   if (scored.tests.size() > 1)
@@ -109,7 +109,7 @@ Table blur_table(const std::vector<FlightScores>& methods) {
 }
 
 /// Where a ring's rate is not the paper's: the paper's lies outside the interval of ours.
-std::string departure(const PaperTest& test, const FlightScores& ring) {
+std::string departure(const paper::RecordedTest& test, const FlightScores& ring) {
   const double paper = test.ring_percent / 100, ours = ring.recognition.value.value_or(0);
   const auto& interval = ring.recognition.interval;
   const bool inside = interval && interval->low <= paper && paper <= interval->high;
@@ -195,13 +195,13 @@ Json json_of(const std::vector<FlightScores>& methods) {
 Json figures_of(const Settings& settings, const std::vector<ScoredComparison>& tests, const Scored& scored) {
   Json rows = Json::array();
   for (std::size_t i = 0; i < tests.size(); ++i) {
-    const PaperTest& test = test_of(settings, i);
+    const paper::RecordedTest& test = test_of(settings, i);
     const Recording& recording = tests[i].stored.recording;
     rows.push_back({{"test", test.number},
-                    {"code", test.code},
+                    {"code", std::string(test.code)},
                     {"paper",
                      {{"frames", test.frames},
-                      {"artag_percent", test.square_percent},
+                      {"artag_percent", test.artag_percent},
                       {"ring_percent", test.ring_percent}}},
                     {"methods", json_of(scored.tests[i])},
                     {"apriltag", i < scored.apriltags.size() ? json_of(scored.apriltags[i]) : Json()},
@@ -229,7 +229,7 @@ Finding finding_of_tests(const Settings& settings, const std::vector<ScoredCompa
 
 std::vector<Finding> table_2(const Settings& settings, const Methods& methods) {
   std::vector<NamedFlight> tests, twins;
-  for (const PaperTest& test : paper_tests()) {
+  for (const paper::RecordedTest& test : paper::recorded_tests()) {
     tests.push_back(test_flight(test));
     twins.push_back(with_apriltags(tests.back()));
   }
