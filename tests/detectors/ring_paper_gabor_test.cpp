@@ -64,7 +64,9 @@ cv::Mat1f direct_norm(const GaborPlan& plan, const cv::Mat1b& picture) {
       squares += output.mul(output);
     }
   cv::sqrt(squares, squares);
-  return cv::Mat1f(squares);
+  cv::Mat1f norm;
+  squares.convertTo(norm, CV_32F);
+  return norm;
 }
 
 TEST(GaborBank, IsTheNormOfAllSixteenFiltersOfThePaperButForTheSquareRootOfTwo) {

@@ -219,9 +219,8 @@ TEST(RingPaper, ShowsItsStagesInTheOrderOfItsWork) {
   for (const Stage& stage : stages) {
     names.push_back(stage.name);
     EXPECT_FALSE(stage.sentence.empty());
-    if (const auto* shown = std::get_if<cv::Mat>(&stage.shown)) {
-      EXPECT_EQ(shown->size(), picture.size());
-      EXPECT_TRUE(shown->type() == CV_8UC1 || shown->type() == CV_8UC3);
+    if (const auto* shown = std::get_if<Picture>(&stage.shown)) {
+      EXPECT_EQ(shown->size, (Size{picture.cols, picture.rows}));
     }
   }
   EXPECT_EQ(names,

@@ -35,8 +35,9 @@ TEST(TrainingProfiles, OfOneCodeAreAlikeAndThoseOfTwoCodesAreNot) {
   for (const TrainingProfile& a : training)
     for (const Neighbour& one :
          classify(a.levels, training, static_cast<int>(training.size()), {}).neighbours) {
-      if (training[one.rank].bits == a.bits) EXPECT_LT(one.distance, 0.06) << a.bits;
-      if (training[one.rank].bits != a.bits) EXPECT_GT(one.distance, 0.15) << a.bits;
+      const bool same_code = training[one.rank].bits == a.bits;
+      EXPECT_EQ(one.distance < 0.06, same_code) << a.bits << " " << one.distance;
+      EXPECT_EQ(one.distance > 0.15, !same_code) << a.bits << " " << one.distance;
     }
 }
 
