@@ -18,9 +18,10 @@ using Tones = std::array<float, 256>;
 /// Draws a target's sheet, all of it, over `picture` (CV_32FC1). `to_picture`: from places on the sheet (m right and
 /// down of its middle, and 1) to homogeneous pixels, centres at integers.
 ///
-/// A pixel is the mean of at least 2x2 places spread over it, of more where the sheet is foreshortened: so many that
-/// the sheet moves on by at most one sample from one to the next, after it was averaged to samples as large as that
-/// in the direction that is least reduced. Its edge is averaged, too. What is behind the camera is not drawn.
+/// A pixel is the mean of 2x2 places spread over it, and of up to 16x16 where the sheet is foreshortened: from one to
+/// the next, the sheet moves on by 1.5 samples at most. Before, these are made of the sheet's own by averaging, about
+/// as large as half a pixel where it is least reduced. Its edge is averaged, too. What is behind the camera is
+/// not drawn.
 void draw_sheet(const PrintedTarget& target, const Eigen::Matrix3d& to_picture, const Tones& tones,
                 cv::Mat1f& picture);
 

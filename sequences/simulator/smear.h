@@ -15,8 +15,9 @@ namespace relock::simulator {
 /// up to 1/4 px^2. The time taken does not depend on the length: rows are shifted until the line is upright, and a sum
 /// runs down them. Every step is plain arithmetic of `float`, so the bytes are the same on every machine.
 ///
-/// Throws Error when `margin` is less than smear_margin(way), or leaves nothing.
-cv::Mat1f smeared(const cv::Mat1f& picture, Vec2 way, int margin);
+/// `bin`: each pixel of the result is the mean of that many squared. Throws Error when `margin` is less than
+/// smear_margin(way), or when what it leaves is nothing or not whole bins.
+cv::Mat1f smeared(const cv::Mat1f& picture, Vec2 way, int margin, int bin = 1);
 
 /// How far outside a pixel the line and its interpolation reach, px.
 int smear_margin(Vec2 way);

@@ -82,19 +82,6 @@ cv::Mat1f backdrop_of(const StillPlan& plan, const Frame& frame, const Random& r
   return made;
 }
 
-/// The mean of each pixel's finer ones.
-cv::Mat1f averaged(const cv::Mat1f& finer, Size picture) {
-  cv::Mat1f made(picture.height, picture.width);
-  static_assert(kFiner == 2);
-  for (int y = 0; y < made.rows; ++y) {
-    const float *above = finer[2 * y], *below = finer[2 * y + 1];
-    float* row = made[y];
-    for (int x = 0; x < made.cols; ++x)
-      row[x] = 0.25F * ((above[2 * x] + above[2 * x + 1]) + (below[2 * x] + below[2 * x + 1]));
-  }
-  return made;
-}
-
 void code(cv::Mat1f& light) {
   static const Coding coding;
   for (float& value : light) value = coding.level(value);
@@ -202,7 +189,7 @@ Still still(const StillPlan& plan, std::span<const PrintedTarget> targets, std::
     draw_sheet(target, frame.to_finer() * homography(made.pose, plan.camera()),
                tones_of(plan.blur_in, black, white), finer);
   }
-  cv::Mat1f levels = averaged(smeared(finer, kFiner * made.blur, kFiner * frame.margin), plan.picture);
+  cv::Mat1f levels = smeared(finer, kFiner * made.blur, kFiner * frame.margin, kFiner);
   if (plan.blur_in == BlurIn::light) code(levels);
   Random noise = random.fork(kNoiseKey);
   made.noise = drawn(noise, plan.noise);
