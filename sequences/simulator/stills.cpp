@@ -10,6 +10,7 @@
 #include "core/display_coding.h"
 #include "core/error.h"
 #include "core/random.h"
+#include "sequences/simulator/album.h"
 #include "sequences/simulator/jumble.h"
 #include "sequences/simulator/sensor_noise.h"
 #include "sequences/simulator/sheet.h"
@@ -21,7 +22,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr int kFiner = 2;  // times as fine as the picture is what it is made from
-enum Key : std::uint64_t { kPoseKey = 1, kToneKey, kBackdropKey, kBlurKey, kNoiseKey };
+enum Key : std::uint64_t { kShownKey = 1, kPoseKey, kToneKey, kBackdropKey, kBlurKey, kNoiseKey };
 
 /// Grey levels as what is averaged: themselves, or light from 0 to 1.
 Tones tones_of(BlurIn blur_in, double black, double white) {
@@ -158,6 +159,7 @@ void check_stills(const StillPlan& plan) {
   check_range("stills: width", plan.picture.width, 16, 8192);
   check_range("stills: height", plan.picture.height, 16, 8192);
   check_range("stills: focal_widths", plan.focal_widths, 0.1, 100);
+  check_range("stills: shown", plan.shown, 0, 1);
   check_range("stills: size_px", plan.size_px, 1, std::min(plan.picture.width, plan.picture.height));
   check_range("stills: tilt_deg", plan.tilt_deg, 0, 89);
   check_range("stills: turn_deg", plan.turn_deg, -360, 360);
@@ -177,7 +179,7 @@ Still still(const StillPlan& plan, std::span<const PrintedTarget> targets, std::
   made.targets.assign(targets.size(), absent());
   const Frame frame(plan.picture, made.blur);
   cv::Mat1f finer = backdrop_of(plan, frame, random.fork(kBackdropKey));
-  if (!targets.empty()) {
+  if (!targets.empty() && random.fork(kShownKey).chance(plan.shown)) {
     const std::size_t shown = rank / plan.blurs_px.size() % targets.size();
     const PrintedTarget& target = targets[shown];
     check_sheet(target);
@@ -195,6 +197,24 @@ Still still(const StillPlan& plan, std::span<const PrintedTarget> targets, std::
   made.noise = drawn(noise, plan.noise);
   made.pixels = noisy(levels, made.noise, noise.fork(1));
   return made;
+}
+
+void write_stills(const std::filesystem::path& folder, const StillPlan& plan,
+                  std::span<const PrintedTarget> targets, std::size_t count, std::uint64_t seed,
+                  const std::string& plan_text) {
+  check_stills(plan);
+  Album album{.picture = plan.picture, .pages = count, .plan_name = "stills.toml", .plan_text = plan_text};
+  for (const PrintedTarget& target : targets) {
+    check_sheet(target);
+    for (const Target& other : album.targets)
+      if (other.id == target.name) throw Error(fmt::format("stills: {} is asked for twice", target.name));
+    album.targets.push_back({target.name, target.code, target.size_m});
+  }
+  album.page = [&](std::size_t rank) -> AlbumPage {
+    const Still made = still(plan, targets, rank, seed);
+    return {made.pixels, made.targets};
+  };
+  write_album(folder, album);
 }
 
 }  // namespace relock::simulator

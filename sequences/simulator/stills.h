@@ -28,6 +28,7 @@ enum class Backdrop : std::uint8_t {
 struct StillPlan {
   Size picture{640, 480};
   double focal_widths = 0.9;  ///< focal length, in widths of the picture; no distortion
+  double shown = 1;           ///< share of the stills that show a target; the others do without
   Range size_px{60, 150};     ///< D of metrics.md for a ring; the same distance for a square (Hang::size_px)
   Range tilt_deg{0, 45};      ///< between the target's normal and the line of sight, towards any side
   Range turn_deg{0, 360};     ///< of the sheet in its own plane
@@ -48,8 +49,8 @@ void check_stills(const StillPlan& plan);
 struct Still {
   cv::Mat pixels;  ///< CV_8UC1
   std::vector<TargetTruth>
-      targets;  ///< of each target asked for; all but one absent. Exact: outline, both centres
-  std::optional<std::size_t> shown;  ///< which target is in it
+      targets;  ///< of each target asked for; all but the one shown absent. Exact: outline, both centres
+  std::optional<std::size_t> shown;  ///< which target is in it, if one is
   SheetPose pose;                    ///< of the one shown, at the middle of the exposure
   double noise = 0;                  ///< standard deviation, grey levels
   Vec2 blur;                         ///< of the whole picture, from start to end of the exposure, px
@@ -69,5 +70,11 @@ Still still(const StillPlan& plan, std::span<const PrintedTarget> targets, std::
             std::uint64_t seed);
 
 constexpr double kStillBorder_px = 3;
+
+/// Writes the stills of rank 0 to `count` - 1 as a recording, as write_album does. `plan_text`, if any, is kept in it
+/// as stills.toml. Throws Error also on two targets of one name.
+void write_stills(const std::filesystem::path& folder, const StillPlan& plan,
+                  std::span<const PrintedTarget> targets, std::size_t count, std::uint64_t seed,
+                  const std::string& plan_text = {});
 
 }  // namespace relock::simulator
