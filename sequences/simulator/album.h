@@ -20,11 +20,12 @@ struct AlbumPage {
 /// Pictures that have nothing to do with each other, and what is to be seen in them.
 struct Album {
   Size picture;
-  std::vector<Target> targets;
+  std::vector<Target> targets = {};
   std::size_t pages = 0;
-  std::function<AlbumPage(std::size_t rank)> page;
-  std::string plan_name;  ///< a file beside the pictures that holds `plan_text`; without a text there is none
-  std::string plan_text;
+  std::function<AlbumPage(std::size_t rank)> page = {};
+  std::string plan_name =
+      {};  ///< a file beside the pictures that holds `plan_text`; without a text there is none
+  std::string plan_text = {};
 };
 
 /// Writes an album as a recording that open_sequence reads, at 30 Hz, named as the folder is; pictures are PNG.
