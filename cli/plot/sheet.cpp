@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::string_view kFont = "DejaVu Sans";
 constexpr double kRow = 3.9;       // mm, from one line of text to the next
+constexpr double kLegendRow = 4.9;  // mm, likewise in a legend: what gnuplot's widest terminal takes, SVG
 constexpr double kTitleFrom = 18;  // mm that the title cannot have, about: left of the panel
 
 /// A terminal of gnuplot, and what a sheet, letters, lines and points of a stated size are to it.
@@ -55,7 +56,8 @@ Margins margins_of(const Sheet& sheet) {
   const Lines title = broken(sheet.title, sheet.width_mm - kTitleFrom, kText);
   const double above = sheet.title.empty() ? 3 : 2.5 + static_cast<double>(title.count) * kRow;
   // With less than 12 mm gnuplot finds no room for an axis' title in an SVG, and leaves it out without a word.
-  return {above, 12.5 + static_cast<double>(sheet.rows_below) * kRow};
+  const double legend = sheet.rows_below > 0 ? 2.5 + static_cast<double>(sheet.rows_below) * kLegendRow : 0;
+  return {above, 12.5 + legend};
 }
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
