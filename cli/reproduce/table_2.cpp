@@ -231,7 +231,7 @@ Finding finding_of_tests(const Settings& settings, const std::vector<ScoredCompa
   const Scored scored{one_by_one(tests), flight_scores(tests), one_by_one(apriltags)};
   Finding finding;
   finding.id = "table-2";
-  finding.title = settings.quick ? "QUICK: recognition on a flight, ring beside square markers"
+  finding.title = settings.quick ? "Recognition on a flight, ring beside square markers"
                                  : "Recognition on four flights, ring beside square markers";
   finding.tables = {recognition_table(settings, scored), frames_table(settings, scored),
                     gaps_table(settings, tests), blur_table(scored.all)};
