@@ -23,9 +23,8 @@ std::string spoken(std::string id) {
 /// "Figure 11 QUICK: rings by code", of a title with or without the figure's name.
 std::string marked_title(const std::string& id, const std::string& title, const Settings& settings) {
   const std::string name = spoken(id);
-  std::string rest = title.starts_with(name) ? title.substr(name.size()) : ": " + title;
-  const bool mark = settings.quick && rest.find(kQuick) == std::string::npos;
-  return fmt::format("{}{}{}", name, mark ? fmt::format(" {}", kQuick) : "", rest);
+  const std::string rest = title.starts_with(name) ? title.substr(name.size()) : ": " + title;
+  return fmt::format("{}{}{}", name, settings.quick ? fmt::format(" {}", kQuick) : "", rest);
 }
 
 /// A sentence in lines of kWidth, the first two spaces in and the rest four.
@@ -56,11 +55,7 @@ void mark_quick(std::vector<Finding>& findings, const Settings& settings) {
     finding.title = marked_title(finding.id, finding.title, settings);
     if (!settings.quick) continue;
     for (auto& plot : finding.plots)
-      std::visit(
-          [](auto& p) {
-            if (p.title.find(kQuick) == std::string::npos) p.title = fmt::format("{}: {}", kQuick, p.title);
-          },
-          plot);
+      std::visit([](auto& p) { p.title = fmt::format("{}: {}", kQuick, p.title); }, plot);
   }
 }
 

@@ -173,11 +173,10 @@ std::vector<std::string> sentences_of(const Settings& settings, const Scored& sc
 }
 
 LanePlot lanes_of(const Settings& settings, const std::vector<ScoredComparison>& tests) {
-  LanePlot plot{
-      .title = settings.quick ? "QUICK: flight of Table 2 over time" : "Flights of Table 2 over time",
-      .x = {"s"},
-      .kinds = lane_kinds(),
-      .lanes = {}};
+  LanePlot plot{.title = settings.quick ? "flight of Table 2 over time" : "Flights of Table 2 over time",
+                .x = {"s"},
+                .kinds = lane_kinds(),
+                .lanes = {}};
   for (std::size_t i = 0; i < tests.size(); ++i) {
     for (const std::string& method : {kSquare, std::string(kRing)}) {
       auto lane = lane_of(tests[i], method);

@@ -5,6 +5,7 @@
 
 #include "cli/reproduce/flight_experiments.h"
 #include "cli/reproduce/flights.h"
+#include "cli/reproduce/report.h"
 #include "core/error.h"
 #include "sequences/gaps.h"
 #include "sequences/simulator/flight.h"
@@ -186,8 +187,11 @@ TEST(TheFindingOfTable2, SaysWhenTheRingWasNotLookedFor) {
 }
 
 TEST(TheFindingOfTable2, MarksAQuickLookInTitleAndPlots) {
-  const Finding finding = finding_of_tests(kQuick, {scored(flown("HHHM", "HHMM", "HMMM"), Gate{})}, {});
-  EXPECT_TRUE(finding.title.starts_with("QUICK"));
+  std::vector<Finding> findings{
+      finding_of_tests(kQuick, {scored(flown("HHHM", "HHMM", "HMMM"), Gate{})}, {})};
+  mark_quick(findings, kQuick);
+  const Finding& finding = findings.front();
+  EXPECT_TRUE(finding.title.starts_with("Table 2 QUICK: "));
   EXPECT_TRUE(std::get<LanePlot>(finding.plots.front()).title.starts_with("QUICK"));
   EXPECT_EQ(finding.figures["quick"], true);
 }
