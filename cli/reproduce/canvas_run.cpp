@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <mutex>
 
-#include "cli/catalogue.h"
 #include "cli/files.h"
 #include "cli/print/targets.h"
 #include "cli/reproduce/in_parallel.h"
@@ -18,20 +18,6 @@ namespace relock::reproduction {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A detector that was asked for, its options checked.
-struct ChosenDetector {
-  const DetectorEntry* entry = nullptr;
-  Options options;
-
-  std::unique_ptr<Detector> make() const { return entry->make(options, 1); }
-};
-
-ChosenDetector choose_detector(const Methods& methods, const std::string& method) {
-  const MethodSpec spec = parse_methods(method).front();
-  const DetectorEntry& entry = detector_entry(methods, spec.name);
-  return {&entry, Options(entry.name, entry.options, spec.options)};
-}
 
 /// One line that tells all that a contender's answers depend on.
 std::string made_by(const CanvasExperiment& experiment, const Contender& contender,
@@ -89,15 +75,19 @@ std::vector<PictureAnswer> answers_of(const CanvasExperiment& experiment, const 
 
 PrintedTarget target_on_canvas(const std::string& name) { return print_target(name, 0.15); }
 
+FrameJudgement judged_alone(const Recording& one_frame, const Sightings& sightings) {
+  Trajectory trajectory;
+  trajectory.reads_codes = std::all_of(one_frame.targets.begin(), one_frame.targets.end(),
+                                       [](const Target& target) { return target.code.has_value(); });
+  trajectory.frames = {{.sightings = sightings}};
+  trajectory.judged_from.assign(one_frame.targets.size(), 0);
+  trajectory.failed_from.assign(one_frame.targets.size(), std::nullopt);
+  return judge_frame(one_frame, 0, trajectory.frames.front(), trajectory, Gate{});
+}
+
 PictureAnswer judged(const PrintedTarget& target, const simulator::CanvasPicture& picture,
                      const Sightings& sightings) {
-  const Recording recording = recording_of(target, picture);
-  Trajectory trajectory;
-  trajectory.reads_codes = target.code.has_value();
-  trajectory.frames = {{.sightings = sightings}};
-  trajectory.judged_from = {0};
-  trajectory.failed_from = {std::nullopt};
-  const FrameJudgement frame = judge_frame(recording, 0, trajectory.frames.front(), trajectory, Gate{});
+  const FrameJudgement frame = judged_alone(recording_of(target, picture), sightings);
   const Judgement& judgement = frame.targets.front();
 
   PictureAnswer answer;

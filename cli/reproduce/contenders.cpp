@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "cli/catalogue.h"
 #include "cli/method_spec.h"
 
 namespace relock::reproduction {
@@ -29,6 +30,12 @@ const std::vector<std::string>& ring_codes() {
 
 std::string ring_target(const std::string& code) { return "ring:" + code; }
 
+std::vector<Contender> contenders_of(const RingMethod& method) {
+  std::vector<Contender> contenders;
+  for (const std::string& code : ring_codes()) contenders.push_back({method.method, ring_target(code)});
+  return contenders;
+}
+
 const std::vector<Contender>& square_markers() {
   static const std::vector<Contender> markers{
       {"aruco(dictionary=original)", "arucooriginal:7"},
@@ -43,6 +50,12 @@ const std::vector<Contender>& square_markers() {
       {"apriltag(family=tagCircle21h7)", "apriltagCircle21h7:7"},
   };
   return markers;
+}
+
+ChosenDetector choose_detector(const Methods& methods, const std::string& method) {
+  const MethodSpec spec = parse_methods(method).front();
+  const DetectorEntry& entry = detector_entry(methods, spec.name);
+  return {&entry, Options(entry.name, entry.options, spec.options)};
 }
 
 bool is_built_in(const Methods& methods, const std::string& method) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,11 +27,31 @@ const std::vector<RingMethod>& ring_methods();
 const std::vector<std::string>& ring_codes();
 /// "ring:01"
 std::string ring_target(const std::string& code);
+/// A way to look for rings, and the ring of every code.
+std::vector<Contender> contenders_of(const RingMethod& method);
 
 /// Square markers that relock reads, every grid of cells once. Families that differ only in which codes they hold
 /// (5x5_50 and 5x5_1000, 36h11 and 36h10) are found and blurred away alike; the customary one stands for all. Always
 /// number 7: the lowest are plain in some families.
 const std::vector<Contender>& square_markers();
+
+/// What each of some contenders, or ways to look for rings, is looked for by.
+template <class Asked>
+std::vector<std::string> methods_of(const std::vector<Asked>& all) {
+  std::vector<std::string> methods;
+  for (const Asked& one : all) methods.push_back(one.method);
+  return methods;
+}
+
+/// A detector that was asked for, its options checked.
+struct ChosenDetector {
+  const DetectorEntry* entry = nullptr;
+  Options options;
+
+  std::unique_ptr<Detector> make() const { return entry->make(options, 1); }
+};
+/// `method`: as it would be typed. Throws Error when there is none, and on its options.
+ChosenDetector choose_detector(const Methods& methods, const std::string& method);
 
 /// Whether relock has the detector.
 bool is_built_in(const Methods& methods, const std::string& method);

@@ -19,7 +19,7 @@ struct Round {
 };
 
 std::vector<Round> rounds_of(const ScoredComparison& squares, const ScoredComparison* rings) {
-  std::vector<Round> rounds{{"square", kSquare, 60, &squares}, {"ring", std::string(kRing), 90, rings}};
+  std::vector<Round> rounds{{"square", kSquare, 60, &squares}, {"ring", kRing, 90, rings}};
   for (Round& round : rounds)
     if (round.flight) round.scores = flight_scores({*round.flight});
   return rounds;
@@ -98,8 +98,7 @@ std::vector<Finding> figure_12(const Settings& settings, const Methods& methods)
   if (settings.quick) return {};
   const auto squares = fly_and_run(settings, {box_of_squares()}, {kSquare}, methods);
   if (!methods.detectors.find(kRing)) return {finding_of_box(squares.front(), nullptr)};
-  const auto rings =
-      fly_and_run(settings, {box_of_rings()}, {std::string(kRing), std::string(kRingApart)}, methods);
+  const auto rings = fly_and_run(settings, {box_of_rings()}, {kRing, kRingApart}, methods);
   return {finding_of_box(squares.front(), &rings.front())};
 }
 

@@ -41,9 +41,7 @@ std::vector<MethodAnswers> answers_of(const CanvasExperiment& experiment, const 
   for (const RingMethod& method : ring_methods()) {
     if (!is_built_in(methods, method.method)) continue;
     MethodAnswers said{method, {}};
-    std::vector<Contender> contenders;
-    for (const std::string& code : ring_codes()) contenders.push_back({method.method, ring_target(code)});
-    const auto results = run_canvas(experiment, contenders, settings, methods);
+    const auto results = run_canvas(experiment, contenders_of(method), settings, methods);
     for (std::size_t i = 0; i < results.size(); ++i)
       said.codes.push_back({ring_codes()[i], results[i].answers});
     all.push_back(std::move(said));
@@ -199,9 +197,7 @@ std::vector<Finding> table_1(const Settings& settings, const Methods& methods) {
   Finding finding;
   finding.id = "table-1";
   finding.title = "error of a ring's centre by angle of the blur, mean ± standard deviation";
-  std::vector<std::string> asked;
-  for (const RingMethod& method : ring_methods()) asked.push_back(method.method);
-  finding.sentences = missing_methods(methods, asked);
+  finding.sentences = missing_methods(methods, methods_of(ring_methods()));
   Json ours = Json::array();
   for (const MethodAnswers& said : all) {
     finding.tables.push_back(table_of(said));

@@ -60,7 +60,4 @@ struct BoxFlight {
 };
 constexpr BoxFlight kBoxFlight;
 
-/// Sections 4 and 5: "Our detection process takes around 0.3 seconds".
-constexpr double kSecondsPerFrame = 0.3;
-
 }  // namespace relock::reproduction::paper

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "cli/catalogue.h"
 #include "cli/files.h"
 #include "cli/print/targets.h"
 #include "cli/reproduce/canvas_run.h"
@@ -30,9 +29,7 @@ constexpr const char* kRule =
 std::unique_ptr<Detector> ring_detector(const Methods& methods) {
   const std::string method = ring_methods().front().method;
   if (!is_built_in(methods, method)) return {};
-  const MethodSpec spec = parse_methods(method).front();
-  const DetectorEntry& entry = detector_entry(methods, spec.name);
-  return entry.make(Options(entry.name, entry.options, spec.options), 1);
+  return choose_detector(methods, method).make();
 }
 
 Finding begun(const std::string& id, const std::string& title, const Methods& methods) {
@@ -111,14 +108,8 @@ ChosenFrame first_by_the_rule(const Sequence& sequence, const fs::path& folder) 
 
 /// Which of a frame's targets were recognised, by the evaluator.
 std::vector<Verdict> verdicts(const Recording& recording, const Sightings& sightings) {
-  Trajectory trajectory;
-  trajectory.reads_codes = true;
-  trajectory.frames = {{.sightings = sightings}};
-  trajectory.judged_from.assign(recording.targets.size(), 0);
-  trajectory.failed_from.assign(recording.targets.size(), std::nullopt);
   std::vector<Verdict> all;
-  for (const Judgement& judgement :
-       judge_frame(recording, 0, trajectory.frames.front(), trajectory, Gate{}).targets)
+  for (const Judgement& judgement : judged_alone(recording, sightings).targets)
     all.push_back(judgement.verdict);
   return all;
 }

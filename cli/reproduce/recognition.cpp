@@ -79,12 +79,6 @@ Json json_of(const std::vector<MarkerRates>& markers) {
   return all;
 }
 
-std::vector<std::string> methods_of(const std::vector<Contender>& contenders) {
-  std::vector<std::string> asked;
-  for (const Contender& contender : contenders) asked.push_back(contender.method);
-  return asked;
-}
-
 void add(std::vector<std::string>& sentences, const std::vector<std::string>& more) {
   sentences.insert(sentences.end(), more.begin(), more.end());
 }
@@ -104,9 +98,7 @@ std::vector<RingRates> ring_rates(const CanvasExperiment& experiment, const Sett
   std::vector<RingRates> all;
   for (const RingMethod& method : ring_methods()) {
     if (!is_built_in(methods, method.method)) continue;
-    std::vector<Contender> contenders;
-    for (const std::string& code : ring_codes()) contenders.push_back({method.method, ring_target(code)});
-    all.push_back({method, rates_of(experiment, contenders, settings, methods)});
+    all.push_back({method, rates_of(experiment, contenders_of(method), settings, methods)});
   }
   return all;
 }
@@ -268,7 +260,7 @@ std::vector<Finding> figure_11(const Settings& settings, const Methods& methods)
     finding.tables.push_back(table_of_rings(ring, experiment.plan.lengths_px));
   finding.tables.push_back(table_of_all(rings, squares, experiment.plan.lengths_px));
   std::vector<std::string> asked = methods_of(square_markers());
-  for (const RingMethod& method : ring_methods()) asked.push_back(method.method);
+  add(asked, methods_of(ring_methods()));
   finding.sentences = missing_methods(methods, asked);
   finding.sentences.push_back(pictures_sentence(experiment));
   add(finding.sentences, ring_sentences(rings));

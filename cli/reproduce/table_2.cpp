@@ -31,14 +31,13 @@ std::vector<std::vector<FlightScores>> one_by_one(const std::vector<ScoredCompar
   return all;
 }
 
-std::string recognition_cell(const std::vector<FlightScores>& scores, std::string_view method) {
+std::string recognition_cell(const std::vector<FlightScores>& scores, const std::string& method) {
   const FlightScores* found = find(scores, method);
   return found ? percent_cell(found->recognition) : "not run";
 }
 
 Table recognition_table(const Settings& settings, const Scored& scored) {
-  Table table({"test", "frames", "code", "ARTag, paper %", kSquare + " %", "ring, paper %",
-               std::string(kRing) + " %"});
+  Table table({"test", "frames", "code", "ARTag, paper %", kSquare + " %", "ring, paper %", kRing + " %"});
   std::size_t frames = 0;
   for (std::size_t i = 0; i < scored.tests.size(); ++i) {
     const paper::RecordedTest& test = test_of(settings, i);
@@ -178,7 +177,7 @@ LanePlot lanes_of(const Settings& settings, const std::vector<ScoredComparison>&
                 .kinds = lane_kinds(),
                 .lanes = {}};
   for (std::size_t i = 0; i < tests.size(); ++i) {
-    for (const std::string& method : {kSquare, std::string(kRing)}) {
+    for (const std::string& method : {kSquare, kRing}) {
       auto lane = lane_of(tests[i], method);
       if (!lane) continue;
       lane->name = fmt::format("test {} {}", test_of(settings, i).number, method);
@@ -251,8 +250,7 @@ std::vector<Finding> table_2(const Settings& settings, const Methods& methods) {
     twins.clear();
   }
   if (!methods.detectors.find(kAprilTag)) twins.clear();
-  const auto flown =
-      fly_and_run(settings, tests, {std::string(kRing), std::string(kRingApart), kSquare}, methods);
+  const auto flown = fly_and_run(settings, tests, {kRing, kRingApart, kSquare}, methods);
   const auto apriltags =
       twins.empty() ? std::vector<ScoredComparison>{} : fly_and_run(settings, twins, {kAprilTag}, methods);
   return {finding_of_tests(settings, flown, apriltags)};
