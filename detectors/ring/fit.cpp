@@ -1,0 +1,182 @@
+#include "detectors/ring/fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace relock::ring {
+namespace {
+
+/// Samples lie within this radius: the outermost edge and some black beyond it.
+constexpr double kReach = 1.12;
+constexpr std::size_t kFewest = 40;
+/// Grey levels by which the picture may be off in the black and the white, and beyond the sheet, where the model
+/// knows one level only.
+constexpr float kOwnError = 4, kLeakError = 30;
+/// How strongly a priori a marker is seen without perspective: 1 / (grey level / (v R))^2.
+constexpr double kPerspectivePrior = 1000;
+/// Likewise no leak, 1 / (grey level / grey level)^2.
+constexpr double kLeakPrior = 1;
+
+float weight_of(float leaked) {
+  return kOwnError * kOwnError / (kOwnError * kOwnError + kLeakError * kLeakError * leaked * leaked);
+}
+
+/// Whether the window of the exposure of what is at q stays on the sheet, or nearly so where the movement is long.
+double farthest_allowed(const RingModel& model, double movement) {
+  const double sheet = model.geometry().quiet_zone - 0.08;
+  return std::max(sheet, sheet - 0.05 + 0.42 * movement);
+}
+
+/// A step that may be taken at once: by a fifth of the radius, a third of the size, half a radius of blur.
+template <class Step>
+double bounded(const Step& step, double radius) {
+  double part = 1;
+  const auto bound = [&](double is, double most) {
+    if (is > most) part = std::min(part, most / is);
+  };
+  bound(std::hypot(step[kCentreX], step[kCentreY]), 0.2 * radius);
+  bound(std::hypot(step[kBlurX], step[kBlurY]), 0.5 * radius);
+  bound(std::max({std::abs(step[kXX]), std::abs(step[kXY]), std::abs(step[kYY])}) * radius, 0.35);
+  return part;
+}
+
+template <class Step>
+void take(const Step& step, View& view, Light& light) {
+  view.centre += Eigen::Vector2d(step[kCentreX], step[kCentreY]);
+  view.xx += step[kXX], view.xy += step[kXY], view.yy += step[kYY];
+  view.blur += Eigen::Vector2d(step[kBlurX], step[kBlurY]);
+  view.vanishing += Eigen::Vector2d(step[kVanishingX], step[kVanishingY]);
+  light.gain += step[kGain], light.offset += step[kOffset], light.leak += step[kLeak];
+}
+
+}  // namespace
+
+void spread_samples(const cv::Mat& gray, const RingModel& model, const View& view, int count,
+                    std::vector<Sample>& samples) {
+  samples.clear();
+  const Eigen::Matrix2d spread = view.shape().inverse();
+  const double width = kReach * spread.row(0).norm(), height = kReach * spread.row(1).norm();
+  const double area = M_PI * kReach * kReach * spread.determinant();
+  const double step = std::max(1.0, std::sqrt(area / count));
+  // Rows are shifted against each other, so that no ring falls between them.
+  const double shift = step > 1.01 ? 0.38 : 0;
+  const double allowed = farthest_allowed(model, (view.shape() * view.blur).norm());
+  int row = 0;
+  for (double y = view.centre.y() - height; y <= view.centre.y() + height; y += step, ++row) {
+    const int iy = static_cast<int>(std::lround(y));
+    if (iy < 0 || iy >= gray.rows) continue;
+    const std::uint8_t* pixels = gray.ptr<std::uint8_t>(iy);
+    const double begin = view.centre.x() - width + std::fmod(row * shift * step, step);
+    for (double x = begin; x <= view.centre.x() + width; x += step) {
+      const int ix = static_cast<int>(std::lround(x));
+      if (ix < 0 || ix >= gray.cols) continue;
+      const Placed at = placed(view, Eigen::Vector2d(ix, iy));
+      if (at.depth < 0.3 || at.q.squaredNorm() > kReach * kReach) continue;
+      const Eigen::Vector2d half = 0.5 * at.moved_by * view.blur;
+      if (std::max((at.q + half).squaredNorm(), (at.q - half).squaredNorm()) > allowed * allowed) continue;
+      samples.push_back({static_cast<float>(ix), static_cast<float>(iy), static_cast<float>(pixels[ix])});
+    }
+  }
+}
+
+Light Fitter::light_of(std::size_t code, const View& view, double psf_px) const {
+  const Exposure exposure(model_, code, view, psf_px);
+  double light = 0, squares = 0, grey = 0, both = 0;
+  for (const Sample& sample : samples_) {
+    const double is = exposure.rings_at(sample.x, sample.y);
+    light += is, squares += is * is, grey += sample.grey, both += is * sample.grey;
+  }
+  const auto n = static_cast<double>(samples_.size());
+  const double spread = n * squares - light * light;
+  if (!(spread > 1e-9)) return {grey / n, 0, 0};
+  const double gain = (n * both - light * grey) / spread;
+  return {(grey - gain * light) / n, gain, 0};
+}
+
+Fitter::Equations Fitter::equations(std::size_t code, const View& view, const Light& light, double psf_px) const {
+  const Exposure exposure(model_, code, view, psf_px);
+  // Sums of products of floats: rows of some pixels at a time, so that Eigen has something to multiply.
+  constexpr int kRows = 32;
+  Eigen::Matrix<float, kUnknowns, kRows> weighted, plain;
+  Eigen::Matrix<float, kRows, 1> residual;
+  Eigen::Matrix<float, kUnknowns, kUnknowns> normal = decltype(normal)::Zero();
+  Gradient right = Gradient::Zero();
+  Equations sums{};
+  int filled = 0;
+  const auto flush = [&] {
+    normal.noalias() += weighted.leftCols(filled) * plain.leftCols(filled).transpose();
+    right.noalias() += weighted.leftCols(filled) * residual.head(filled);
+    filled = 0;
+  };
+  for (const Sample& sample : samples_) {
+    const Prediction is = exposure.at(sample.x, sample.y, light);
+    const float weight = weight_of(is.leaked), left = sample.grey - is.grey;
+    plain.col(filled) = is.gradient, weighted.col(filled) = weight * is.gradient, residual[filled] = left;
+    if (++filled == kRows) flush();
+    const double w = weight, g = sample.grey;
+    sums.squares += w * left * left, sums.weight += w, sums.grey += w * g, sums.grey_squares += w * g * g;
+  }
+  flush();
+  sums.normal = normal.cast<double>(), sums.right = right.cast<double>();
+  return sums;
+}
+
+std::optional<Fit> Fitter::fit(const cv::Mat& gray, std::size_t code, const View& start, const FitOptions& options) {
+  View view = start;
+  const auto look = [&] {
+    spread_samples(gray, model_, view, options.pixels, samples_);
+    return samples_.size() >= kFewest;
+  };
+  if (!look()) return {};
+  Light light = light_of(code, view, options.psf_px);
+  const double radius = view.radius();
+  Equations now = equations(code, view, light, options.psf_px);
+  const double perspective_prior = kPerspectivePrior * radius * radius;
+  double damping = 1e-2;
+  for (int step = 0; step < options.steps; ++step) {
+    bool better = false, settled = false;
+    for (int attempt = 0; attempt < 3 && !better; ++attempt) {
+      Matrix normal = now.normal;
+      Vector right = now.right;
+      normal.diagonal() *= 1 + damping;
+      normal(kLeak, kLeak) += kLeakPrior;
+      normal(kBlurX, kBlurX) += 1e-6 * (1 + normal(kCentreX, kCentreX)), normal(kBlurY, kBlurY) += 1e-6 * (1 + normal(kCentreY, kCentreY));
+      for (const int k : {kVanishingX, kVanishingY}) {
+        normal(k, k) += perspective_prior;
+        right[k] -= perspective_prior * view.vanishing[k - kVanishingX];
+      }
+      Vector change = normal.ldlt().solve(right);
+      change *= bounded(change, radius);
+      View next = view;
+      Light lit = light;
+      take(change, next, lit);
+      Equations then;
+      if (change.allFinite() && next.possible() && (then = equations(code, next, lit, options.psf_px)).squares < now.squares) {
+        better = true;
+        const double gained = (now.squares - then.squares) / now.squares;
+        settled = gained < 1e-4 || (next.centre - view.centre).norm() < options.settled * 0.02 * radius;
+        view = next, light = lit, now = then;
+        damping = std::max(0.2 * damping, 1e-6);
+      } else {
+        damping = 6 * damping + 1e-4;
+      }
+    }
+    if (!better || settled) break;
+    const double spread = now.grey_squares - now.grey * now.grey / now.weight;
+    if (step == 2 && now.squares > options.hopeless * options.hopeless * spread) return {};
+    if (step == 2 || step == 6) {
+      if (!look()) return {};
+      now = equations(code, view, light, options.psf_px);
+    }
+  }
+  if (!look()) return {};
+  now = equations(code, view, light, options.psf_px);
+  const double spread = now.grey_squares - now.grey * now.grey / now.weight;
+  if (!(light.gain > 0) || !(spread > 0) || now.weight < 25) return {};
+  return Fit{view, light, std::sqrt(now.squares / spread), std::sqrt(now.squares / now.weight),
+             static_cast<int>(samples_.size())};
+}
+
+}  // namespace relock::ring
