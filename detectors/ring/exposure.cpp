@@ -35,8 +35,8 @@ SweptLight sampled(const RadialProfile& profile, const float q[2], const float u
 
 }  // namespace
 
-Exposure::Exposure(RingModel& model, std::size_t code, const View& view, double psf_px)
-    : rings_(model.code(code).still()),
+Exposure::Exposure(RingModel& model, MovingRings& rings, const View& view, double psf_px)
+    : rings_(rings.still()),
       sheet_(model.sheet().still()),
       centre_{static_cast<float>(view.centre.x()), static_cast<float>(view.centre.y())},
       s_{{static_cast<float>(view.xx), static_cast<float>(view.xy)},
@@ -53,7 +53,7 @@ Exposure::Exposure(RingModel& model, std::size_t code, const View& view, double 
   // Along the movement the lens does not count; across it, it does.
   const Eigen::Vector2d across = Eigen::Vector2d(-movement.y(), movement.x()) / length;
   const double sigma = psf_px * (view.shape() * across).norm();
-  swept_rings_ = &model.code(code).swept(sigma);
+  swept_rings_ = &rings.swept(sigma);
   swept_sheet_ = &model.sheet().swept(sigma);
 }
 
@@ -109,7 +109,7 @@ Prediction Exposure::at(float x, float y, const Light& light) const {
                  {gain * rings.by_q[0], gain * rings.by_q[1]},
                  {gain * rings.by_u[0], gain * rings.by_u[1]}};
   Prediction out;
-  if (farthest(x, y) > sheet_radius_ - kEdge) {
+  if (farthest(l) > sheet_radius_ - kEdge) {
     const SweptLight sheet = light_of(sheet_, swept_sheet_, l);
     out.leaked = 1 - sheet.mean;
     for (int k = 0; k < 2; ++k) sum.by_q[k] -= leak * sheet.by_q[k], sum.by_u[k] -= leak * sheet.by_u[k];
@@ -122,8 +122,14 @@ Prediction Exposure::at(float x, float y, const Light& light) const {
 
 float Exposure::rings_at(float x, float y) const { return light_of(rings_, swept_rings_, local(x, y)).mean; }
 
-float Exposure::farthest(float x, float y) const {
+float Exposure::leaked_at(float x, float y) const {
   const Local l = local(x, y);
+  return farthest(l) > sheet_radius_ - kEdge ? 1 - light_of(sheet_, swept_sheet_, l).mean : 0;
+}
+
+float Exposure::farthest(float x, float y) const { return farthest(local(x, y)); }
+
+float Exposure::farthest(const Local& l) const {
   const float hx = 0.5f * l.u[0], hy = 0.5f * l.u[1];
   return std::sqrt(std::max(squared_length(l.q[0] + hx, l.q[1] + hy), squared_length(l.q[0] - hx, l.q[1] - hy)));
 }

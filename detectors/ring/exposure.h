@@ -37,16 +37,25 @@ struct Prediction {
 class Exposure {
  public:
   /// `psf_px`: standard deviation of lens and pixel together, px of this picture.
-  Exposure(RingModel& model, std::size_t code, const View& view, double psf_px);
+  Exposure(RingModel& model, std::size_t code, const View& view, double psf_px)
+      : Exposure(model, model.code(code), view, psf_px) {}
+  /// Of one ring by itself.
+  static Exposure of_slot(RingModel& model, std::size_t slot, const View& view, double psf_px) {
+    return Exposure(model, model.slot(slot), view, psf_px);
+  }
 
   Prediction at(float x, float y, const Light& light) const;
   /// Only the light of the rings there, in [0, 1].
   float rings_at(float x, float y) const;
+  /// Part of the exposure in which the pixel sees beyond the sheet.
+  float leaked_at(float x, float y) const;
 
   /// Farthest from the middle that the pixel's point gets while it moves, in the marker's plane.
   float farthest(float x, float y) const;
 
  private:
+  Exposure(RingModel& model, MovingRings& rings, const View& view, double psf_px);
+
   struct Local {
     float dx, dy, depth;
     float q[2], u[2];
@@ -54,6 +63,7 @@ class Exposure {
     float sigma;    // of lens and pixel along the radius
   };
   Local local(float x, float y) const;
+  float farthest(const Local& l) const;
   SweptLight light_of(const RadialProfile& still, const SweptProfile* swept, const Local& l) const;
   Gradient gradient(const Local& l, const SweptLight& s) const;
 

@@ -179,4 +179,34 @@ std::optional<Fit> Fitter::fit(const cv::Mat& gray, std::size_t code, const View
              static_cast<int>(samples_.size())};
 }
 
+std::optional<Fitter::RingLights> Fitter::ring_lights(const cv::Mat& gray, const Fit& fit,
+                                                      const FitOptions& options) {
+  spread_samples(gray, model_, fit.view, options.pixels, samples_);
+  const auto slots = static_cast<Eigen::Index>(model_.slots());
+  if (static_cast<Eigen::Index>(samples_.size()) < 2 * (slots + 2)) return {};
+  std::vector<Exposure> ring;
+  for (std::size_t slot = 0; slot < model_.slots(); ++slot)
+    ring.push_back(Exposure::of_slot(model_, slot, fit.view, options.psf_px));
+  // One amplitude for each ring, black, and what leaks in: linear in all of them.
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(slots + 2, slots + 2);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(slots + 2), row(slots + 2);
+  for (const Sample& sample : samples_) {
+    for (Eigen::Index slot = 0; slot < slots; ++slot)
+      row[slot] = ring[static_cast<std::size_t>(slot)].rings_at(sample.x, sample.y);
+    const float leaked = ring.front().leaked_at(sample.x, sample.y);
+    row[slots] = 1, row[slots + 1] = leaked;
+    const double weight = weight_of(leaked);
+    normal.selfadjointView<Eigen::Lower>().rankUpdate(row, weight);
+    right += weight * sample.grey * row;
+  }
+  normal.diagonal().head(slots).array() += 1e-6 * static_cast<double>(samples_.size());
+  normal(slots + 1, slots + 1) += 1e-3;
+  const Eigen::VectorXd light = normal.selfadjointView<Eigen::Lower>().ldlt().solve(right);
+  RingLights lights;
+  lights.gain = 0.5 * (light[0] + light[slots - 1]), lights.offset = light[slots];
+  if (!light.allFinite() || !(lights.gain > 0)) return {};
+  for (Eigen::Index slot = 0; slot < slots; ++slot) lights.ring.push_back(light[slot] / lights.gain);
+  return lights;
+}
+
 }  // namespace relock::ring

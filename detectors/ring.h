@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/detector.h"
+#include "core/options.h"
+#include "detectors/ring_marker.h"
+
+namespace relock {
+
+/// relock's own detector of ring markers (detectors/ring_marker.h): it finds lines across the picture that are
+/// symmetric like a marker's, and fits to each place that has some the whole picture that a moving marker leaves.
+struct RingOptions {
+  int bits = 2;
+  std::string geometry = "paper";  ///< as ring_geometry() takes it
+  bool inverted = false;           ///< black rings on white
+  double min_diameter_px = 18;     ///< smallest marker looked for
+  int max_candidates = 8;          ///< places that are looked at closely; more is slower and finds more in clutter
+};
+
+/// The options as `relock list --verbose` prints them, with the defaults of RingOptions.
+std::vector<OptionInfo> ring_option_list();
+/// Throws Error naming the option, the value and the legal range.
+RingOptions ring_options(const Options& given);
+
+/// A sighting has the projected centre, the outermost ring as an Ellipse, the code, the blur, and a confidence that
+/// falls from 1 with what the fit leaves unexplained.
+std::unique_ptr<Detector> ring_detector(const RingOptions& options);
+
+}  // namespace relock
