@@ -17,7 +17,7 @@ struct RingOptions {
   std::string geometry = "paper";  ///< as ring_geometry() takes it
   bool inverted = false;           ///< black rings on white
   double min_diameter_px = 18;     ///< smallest marker looked for
-  int max_candidates = 8;          ///< places that are looked at closely; more is slower and finds more in clutter
+  int max_candidates = 8;  ///< places that are looked at closely; more is slower and finds more in clutter
 };
 
 /// The options as `relock list --verbose` prints them, with the defaults of RingOptions.

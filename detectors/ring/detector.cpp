@@ -120,11 +120,13 @@ class RingDetector final : public Detector {
     std::optional<Fit> best;
     for (const ScoredView& start : begun) {
       if (tried.size() == kMostStarts || start.likeness < begun.front().likeness - 0.15) break;
-      if (std::any_of(tried.begin(), tried.end(), [&](const View* other) { return alike(*other, start.view); }))
+      if (std::any_of(tried.begin(), tried.end(),
+                      [&](const View* other) { return alike(*other, start.view); }))
         continue;
       tried.push_back(&start.view);
-      auto fit = fitter_.fit(pyramid_.level[level], code, start.view,
-                             {.pixels = 130, .steps = 6, .psf_px = kCoarsePsf_px, .settled = 0.1, .hopeless = 0.82});
+      auto fit =
+          fitter_.fit(pyramid_.level[level], code, start.view,
+                      {.pixels = 130, .steps = 6, .psf_px = kCoarsePsf_px, .settled = 0.1, .hopeless = 0.82});
       if (fit && (!best || fit->misfit < best->misfit)) best = fit;
       if (best && best->misfit < 0.25) break;
     }
@@ -195,13 +197,15 @@ std::vector<OptionInfo> ring_option_list() {
 }
 
 RingOptions ring_options(const Options& given) {
-  return {.bits = static_cast<int>(given.integer("bits", 1, kMostRingBits)),
-          .geometry = given.text("geometry"),
-          .inverted = given.word("inverted", {"true", "false"}) == "true",
+  return {.bits = given.whole("bits", 1, kMostRingBits),
+          .geometry = given.word("geometry"),
+          .inverted = given.flag("inverted"),
           .min_diameter_px = given.number("min_diameter_px", 10, 10000),
-          .max_candidates = static_cast<int>(given.integer("max_candidates", 1, 1000))};
+          .max_candidates = given.whole("max_candidates", 1, 1000)};
 }
 
-std::unique_ptr<Detector> ring_detector(const RingOptions& options) { return std::make_unique<RingDetector>(options); }
+std::unique_ptr<Detector> ring_detector(const RingOptions& options) {
+  return std::make_unique<RingDetector>(options);
+}
 
 }  // namespace relock

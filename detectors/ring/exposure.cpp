@@ -3,7 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "detectors/ring/vector_clones.h"
+
 namespace relock::ring {
+
+/// Where the pixels of a block are in the marker's plane.
+struct Exposure::Places {
+  alignas(32) Row dx, dy;              // p - c
+  alignas(32) Row near;                // 1 / w
+  alignas(32) Row qx, qy, ux, uy;      // the point and its movement
+  alignas(32) Row jxx, jxy, jyx, jyy;  // dq/dp
+  alignas(32) Row variance;            // of lens and pixel along the radius
+};
+
 namespace {
 
 constexpr float kLeastDepth = 0.2f;   // a view that is possible has more; a step of a fit may try less
@@ -11,36 +23,13 @@ constexpr float kSampleStep = 0.03f;  // of short movements, in the marker's pla
 /// Within this much of the sheet's edge its softness begins to show.
 constexpr float kEdge = 0.06f;
 
-float squared_length(float x, float y) { return x * x + y * y; }
-
-/// Mean over a short movement: at the middles of `samples` parts, each smoothed by its own length, which makes so
-/// few of them enough.
-SweptLight sampled(const RadialProfile& profile, const float q[2], const float u[2], float sigma, int samples) {
-  SweptLight sum;
-  const float step = 1 / static_cast<float>(samples);
-  for (int k = 0; k < samples; ++k) {
-    const float t = (static_cast<float>(k) + 0.5f) * step - 0.5f;
-    const float x = q[0] + t * u[0], y = q[1] + t * u[1];
-    const float radius = std::sqrt(squared_length(x, y) + 1e-8f), inverse = 1 / radius;
-    const float along = (x * u[0] + y * u[1]) * inverse * step;
-    const Rise rise = profile.at(radius, std::sqrt(sigma * sigma + along * along / 12));
-    const float gx = rise.slope * x * inverse, gy = rise.slope * y * inverse;
-    sum.mean += rise.value;
-    sum.by_q[0] += gx, sum.by_q[1] += gy;
-    sum.by_u[0] += t * gx, sum.by_u[1] += t * gy;
-  }
-  for (float* value : {&sum.mean, &sum.by_q[0], &sum.by_q[1], &sum.by_u[0], &sum.by_u[1]}) *value *= step;
-  return sum;
-}
-
 }  // namespace
 
 Exposure::Exposure(RingModel& model, MovingRings& rings, const View& view, double psf_px)
     : rings_(rings.still()),
       sheet_(model.sheet().still()),
       centre_{static_cast<float>(view.centre.x()), static_cast<float>(view.centre.y())},
-      s_{{static_cast<float>(view.xx), static_cast<float>(view.xy)},
-         {static_cast<float>(view.xy), static_cast<float>(view.yy)}},
+      s_{static_cast<float>(view.xx), static_cast<float>(view.xy), static_cast<float>(view.yy)},
       v_{static_cast<float>(view.vanishing.x()), static_cast<float>(view.vanishing.y())},
       b_{static_cast<float>(view.blur.x()), static_cast<float>(view.blur.y())},
       psf_(static_cast<float>(psf_px)),
@@ -57,81 +46,120 @@ Exposure::Exposure(RingModel& model, MovingRings& rings, const View& view, doubl
   swept_sheet_ = &model.sheet().swept(sigma);
 }
 
-Exposure::Local Exposure::local(float x, float y) const {
-  Local l{};
-  l.dx = x - centre_[0], l.dy = y - centre_[1];
-  l.depth = std::max(1 + v_[0] * l.dx + v_[1] * l.dy, kLeastDepth);
-  const float near = 1 / l.depth;
-  l.q[0] = (s_[0][0] * l.dx + s_[0][1] * l.dy) * near;
-  l.q[1] = (s_[1][0] * l.dx + s_[1][1] * l.dy) * near;
-  for (int row = 0; row < 2; ++row)
-    for (int column = 0; column < 2; ++column) l.j[row][column] = (s_[row][column] - l.q[row] * v_[column]) * near;
-  l.u[0] = l.j[0][0] * b_[0] + l.j[0][1] * b_[1];
-  l.u[1] = l.j[1][0] * b_[0] + l.j[1][1] * b_[1];
-  const float inverse = 1 / std::sqrt(squared_length(l.q[0], l.q[1]) + 1e-6f);
-  const float nx = (l.j[0][0] * l.q[0] + l.j[1][0] * l.q[1]) * inverse;
-  const float ny = (l.j[0][1] * l.q[0] + l.j[1][1] * l.q[1]) * inverse;
-  l.sigma = psf_ * std::sqrt(squared_length(nx, ny));
-  return l;
-}
-
-SweptLight Exposure::light_of(const RadialProfile& still, const SweptProfile* swept, const Local& l) const {
-  return swept ? swept->at(l.q, l.u) : sampled(still, l.q, l.u, l.sigma, samples_);
-}
-
-Gradient Exposure::gradient(const Local& l, const SweptLight& s) const {
-  // With d = p - c and w the depth: q = S d / w and u = (S b - q (v.b)) / w, each by each unknown.
-  const float near = 1 / l.depth, vb = v_[0] * b_[0] + v_[1] * b_[1];
-  const float gx = s.by_q[0], gy = s.by_q[1], hx = s.by_u[0], hy = s.by_u[1];
-  // A change of q by dq also changes u by -dq (v.b) / w: both together weigh
-  const float ax = gx - hx * vb * near, ay = gy - hy * vb * near;
-  const float hu = hx * l.u[0] + hy * l.u[1];
-  Gradient g;
-  g[kCentreX] = -(ax * l.j[0][0] + ay * l.j[1][0]) + hu * v_[0] * near;
-  g[kCentreY] = -(ax * l.j[0][1] + ay * l.j[1][1]) + hu * v_[1] * near;
-  g[kXX] = (ax * l.dx + hx * b_[0]) * near;
-  g[kXY] = (ax * l.dy + ay * l.dx + hx * b_[1] + hy * b_[0]) * near;
-  g[kYY] = (ay * l.dy + hy * b_[1]) * near;
-  g[kBlurX] = hx * l.j[0][0] + hy * l.j[1][0];
-  g[kBlurY] = hx * l.j[0][1] + hy * l.j[1][1];
-  g[kGain] = g[kOffset] = g[kLeak] = 0;
-  const float aq = ax * l.q[0] + ay * l.q[1], hq = hx * l.q[0] + hy * l.q[1];
-  g[kVanishingX] = -(aq * l.dx + hu * l.dx + hq * b_[0]) * near;
-  g[kVanishingY] = -(aq * l.dy + hu * l.dy + hq * b_[1]) * near;
-  return g;
-}
-
-Prediction Exposure::at(float x, float y, const Light& light) const {
-  const Local l = local(x, y);
-  const SweptLight rings = light_of(rings_, swept_rings_, l);
-  const auto gain = static_cast<float>(light.gain), leak = static_cast<float>(light.leak);
-  SweptLight sum{gain * rings.mean,
-                 {gain * rings.by_q[0], gain * rings.by_q[1]},
-                 {gain * rings.by_u[0], gain * rings.by_u[1]}};
-  Prediction out;
-  if (farthest(l) > sheet_radius_ - kEdge) {
-    const SweptLight sheet = light_of(sheet_, swept_sheet_, l);
-    out.leaked = 1 - sheet.mean;
-    for (int k = 0; k < 2; ++k) sum.by_q[k] -= leak * sheet.by_q[k], sum.by_u[k] -= leak * sheet.by_u[k];
+RELOCK_VECTOR_CLONES
+void Exposure::place(const float* x, const float* y, int n, Places& out) const {
+  const float sxx = s_[0], sxy = s_[1], syy = s_[2], vx = v_[0], vy = v_[1], bx = b_[0], by = b_[1];
+  const float cx = centre_[0], cy = centre_[1], psf2 = psf_ * psf_;
+  RELOCK_INDEPENDENT
+  for (int i = 0; i < n; ++i) {
+    const float dx = x[i] - cx, dy = y[i] - cy;
+    const float depth = 1 + vx * dx + vy * dy;
+    const float near = 1 / (depth > kLeastDepth ? depth : kLeastDepth);
+    const float qx = (sxx * dx + sxy * dy) * near, qy = (sxy * dx + syy * dy) * near;
+    const float jxx = (sxx - qx * vx) * near, jxy = (sxy - qx * vy) * near;
+    const float jyx = (sxy - qy * vx) * near, jyy = (syy - qy * vy) * near;
+    const float nx = jxx * qx + jyx * qy, ny = jxy * qx + jyy * qy;
+    out.dx[i] = dx, out.dy[i] = dy, out.near[i] = near;
+    out.qx[i] = qx, out.qy[i] = qy;
+    out.ux[i] = jxx * bx + jxy * by, out.uy[i] = jyx * bx + jyy * by;
+    out.jxx[i] = jxx, out.jxy[i] = jxy, out.jyx[i] = jyx, out.jyy[i] = jyy;
+    out.variance[i] = psf2 * (nx * nx + ny * ny) / (qx * qx + qy * qy + 1e-6f);
   }
-  out.grey = sum.mean + static_cast<float>(light.offset) + leak * out.leaked;
-  out.gradient = gradient(l, sum);
-  out.gradient[kGain] = rings.mean, out.gradient[kOffset] = 1, out.gradient[kLeak] = out.leaked;
-  return out;
 }
 
-float Exposure::rings_at(float x, float y) const { return light_of(rings_, swept_rings_, local(x, y)).mean; }
-
-float Exposure::leaked_at(float x, float y) const {
-  const Local l = local(x, y);
-  return farthest(l) > sheet_radius_ - kEdge ? 1 - light_of(sheet_, swept_sheet_, l).mean : 0;
+void Exposure::light_of(const RadialProfile& still, const SweptProfile* swept, const Places& at, int n,
+                        SweptLight& out) const {
+  if (swept)
+    swept->mean(at.qx, at.qy, at.ux, at.uy, n, out);
+  else
+    still.mean(at.qx, at.qy, at.ux, at.uy, at.variance, n, samples_, out);
 }
 
-float Exposure::farthest(float x, float y) const { return farthest(local(x, y)); }
+bool Exposure::any_near_edge(const Places& at, int n) const {
+  const float edge = (sheet_radius_ - kEdge) * (sheet_radius_ - kEdge);
+  float farthest = 0;
+  for (int i = 0; i < n; ++i) {
+    // The farther end of the movement is |q|^2 + |q.u| + |u|^2 / 4 from the middle.
+    const float q2 = at.qx[i] * at.qx[i] + at.qy[i] * at.qy[i],
+                u2 = at.ux[i] * at.ux[i] + at.uy[i] * at.uy[i];
+    farthest = std::max(farthest, q2 + std::abs(at.qx[i] * at.ux[i] + at.qy[i] * at.uy[i]) + 0.25f * u2);
+  }
+  return farthest > edge;
+}
 
-float Exposure::farthest(const Local& l) const {
-  const float hx = 0.5f * l.u[0], hy = 0.5f * l.u[1];
-  return std::sqrt(std::max(squared_length(l.q[0] + hx, l.q[1] + hy), squared_length(l.q[0] - hx, l.q[1] - hy)));
+namespace {
+
+/// With d = p - c and w the depth: q = S d / w and u = (S b - q (v.b)) / w, each by each unknown.
+/// `g`: how the light changes with q, `h`: with u.
+template <class Places>
+RELOCK_VECTOR_CLONES void chain(const Places& at, const SweptLight& light, const float* v, const float* b,
+                                int n, Row* gradient) {
+  const float vx = v[0], vy = v[1], bx = b[0], by = b[1], vb = vx * bx + vy * by;
+  RELOCK_INDEPENDENT
+  for (int i = 0; i < n; ++i) {
+    const float near = at.near[i], dx = at.dx[i], dy = at.dy[i];
+    const float hx = light.by_ux[i], hy = light.by_uy[i];
+    // A change of q by dq also changes u by -dq (v.b) / w: both together weigh
+    const float ax = light.by_qx[i] - hx * vb * near, ay = light.by_qy[i] - hy * vb * near;
+    const float hu = hx * at.ux[i] + hy * at.uy[i];
+    gradient[kCentreX][i] = hu * vx * near - (ax * at.jxx[i] + ay * at.jyx[i]);
+    gradient[kCentreY][i] = hu * vy * near - (ax * at.jxy[i] + ay * at.jyy[i]);
+    gradient[kXX][i] = (ax * dx + hx * bx) * near;
+    gradient[kXY][i] = (ax * dy + ay * dx + hx * by + hy * bx) * near;
+    gradient[kYY][i] = (ay * dy + hy * by) * near;
+    gradient[kBlurX][i] = hx * at.jxx[i] + hy * at.jyx[i];
+    gradient[kBlurY][i] = hx * at.jxy[i] + hy * at.jyy[i];
+    const float along = ax * at.qx[i] + ay * at.qy[i] + hu, hq = hx * at.qx[i] + hy * at.qy[i];
+    gradient[kVanishingX][i] = -(along * dx + hq * bx) * near;
+    gradient[kVanishingY][i] = -(along * dy + hq * by) * near;
+  }
+}
+
+}  // namespace
+
+void Exposure::predict(const float* x, const float* y, int n, const Light& light, Prediction& out) const {
+  Places at;
+  place(x, y, n, at);
+  SweptLight rings, sheet;
+  light_of(rings_, swept_rings_, at, n, rings);
+  const bool leaks = any_near_edge(at, n);
+  if (leaks) light_of(sheet_, swept_sheet_, at, n, sheet);
+  const auto gain = static_cast<float>(light.gain), offset = static_cast<float>(light.offset);
+  const auto leak = static_cast<float>(light.leak);
+  SweptLight sum;
+  for (int i = 0; i < n; ++i) {
+    const float beyond = leaks ? 1 - sheet.mean[i] : 0;
+    out.leaked[i] = beyond;
+    out.grey[i] = offset + gain * rings.mean[i] + leak * beyond;
+    out.gradient[kGain][i] = rings.mean[i], out.gradient[kOffset][i] = 1, out.gradient[kLeak][i] = beyond;
+    sum.by_qx[i] = gain * rings.by_qx[i], sum.by_qy[i] = gain * rings.by_qy[i];
+    sum.by_ux[i] = gain * rings.by_ux[i], sum.by_uy[i] = gain * rings.by_uy[i];
+  }
+  for (int i = 0; leaks && i < n; ++i) {
+    sum.by_qx[i] -= leak * sheet.by_qx[i], sum.by_qy[i] -= leak * sheet.by_qy[i];
+    sum.by_ux[i] -= leak * sheet.by_ux[i], sum.by_uy[i] -= leak * sheet.by_uy[i];
+  }
+  chain(at, sum, v_, b_, n, out.gradient);
+}
+
+void Exposure::rings(const float* x, const float* y, int n, float* light) const {
+  Places at;
+  SweptLight rings;
+  place(x, y, n, at);
+  light_of(rings_, swept_rings_, at, n, rings);
+  std::copy_n(rings.mean, n, light);
+}
+
+void Exposure::leaked(const float* x, const float* y, int n, float* part) const {
+  Places at;
+  place(x, y, n, at);
+  if (!any_near_edge(at, n)) {
+    std::fill_n(part, n, 0.0f);
+    return;
+  }
+  SweptLight sheet;
+  light_of(sheet_, swept_sheet_, at, n, sheet);
+  for (int i = 0; i < n; ++i) part[i] = 1 - sheet.mean[i];
 }
 
 }  // namespace relock::ring

@@ -22,15 +22,27 @@ struct Light {
 };
 
 /// The numbers that a fit may change, in the order of its equations.
-enum Unknown { kCentreX, kCentreY, kXX, kXY, kYY, kBlurX, kBlurY, kGain, kOffset, kLeak, kVanishingX, kVanishingY };
+enum Unknown {
+  kCentreX,
+  kCentreY,
+  kXX,
+  kXY,
+  kYY,
+  kBlurX,
+  kBlurY,
+  kGain,
+  kOffset,
+  kLeak,
+  kVanishingX,
+  kVanishingY
+};
 constexpr int kUnknowns = 12;
-using Gradient = Eigen::Matrix<float, kUnknowns, 1>;
 
-/// What one pixel should show, and how that changes with what is unknown.
+/// What the pixels of a block should show, and how that changes with what is unknown.
 struct Prediction {
-  float grey = 0;
-  float leaked = 0;  ///< part of the exposure in which it saw beyond the sheet
-  Gradient gradient;
+  alignas(32) Row grey;
+  alignas(32) Row leaked;               ///< part of the exposure in which a pixel sees beyond the sheet
+  alignas(32) Row gradient[kUnknowns];  ///< of grey
 };
 
 /// Predicts pixels of one view: what they have in common is worked out once.
@@ -44,34 +56,28 @@ class Exposure {
     return Exposure(model, model.slot(slot), view, psf_px);
   }
 
-  Prediction at(float x, float y, const Light& light) const;
-  /// Only the light of the rings there, in [0, 1].
-  float rings_at(float x, float y) const;
-  /// Part of the exposure in which the pixel sees beyond the sheet.
-  float leaked_at(float x, float y) const;
+  // Each for `n` pixels, at most kBlock.
 
-  /// Farthest from the middle that the pixel's point gets while it moves, in the marker's plane.
-  float farthest(float x, float y) const;
+  void predict(const float* x, const float* y, int n, const Light& light, Prediction& out) const;
+  /// Only the light of the rings, in [0, 1].
+  void rings(const float* x, const float* y, int n, float* light) const;
+  /// Only the part of the exposure in which a pixel sees beyond the sheet.
+  void leaked(const float* x, const float* y, int n, float* part) const;
 
  private:
   Exposure(RingModel& model, MovingRings& rings, const View& view, double psf_px);
 
-  struct Local {
-    float dx, dy, depth;
-    float q[2], u[2];
-    float j[2][2];  // dq/dp
-    float sigma;    // of lens and pixel along the radius
-  };
-  Local local(float x, float y) const;
-  float farthest(const Local& l) const;
-  SweptLight light_of(const RadialProfile& still, const SweptProfile* swept, const Local& l) const;
-  Gradient gradient(const Local& l, const SweptLight& s) const;
+  struct Places;
+  void place(const float* x, const float* y, int n, Places& out) const;
+  void light_of(const RadialProfile& still, const SweptProfile* swept, const Places& places, int n,
+                SweptLight& out) const;
+  bool any_near_edge(const Places& places, int n) const;
 
   const RadialProfile& rings_;
   const RadialProfile& sheet_;
   const SweptProfile* swept_rings_ = nullptr;  // where the movement is long
   const SweptProfile* swept_sheet_ = nullptr;
-  float centre_[2], s_[2][2], v_[2], b_[2];
+  float centre_[2], s_[3], v_[2], b_[2];  // S: xx, xy, yy
   float psf_;
   float sheet_radius_;
   int samples_;  // of short movements

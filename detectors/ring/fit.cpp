@@ -23,6 +23,15 @@ float weight_of(float leaked) {
   return kOwnError * kOwnError / (kOwnError * kOwnError + kLeakError * kLeakError * leaked * leaked);
 }
 
+/// Calls `use` with every kBlock samples, or what is left of them.
+template <class Use>
+void in_blocks(const Samples& samples, Use use) {
+  const int all = static_cast<int>(samples.size());
+  for (int from = 0; from < all; from += kBlock)
+    use(&samples.x[static_cast<std::size_t>(from)], &samples.y[static_cast<std::size_t>(from)],
+        &samples.grey[static_cast<std::size_t>(from)], std::min(kBlock, all - from));
+}
+
 /// Whether the window of the exposure of what is at q stays on the sheet, or nearly so where the movement is long.
 double farthest_allowed(const RingModel& model, double movement) {
   const double sheet = model.geometry().quiet_zone - 0.08;
@@ -54,7 +63,7 @@ void take(const Step& step, View& view, Light& light) {
 }  // namespace
 
 void spread_samples(const cv::Mat& gray, const RingModel& model, const View& view, int count,
-                    std::vector<Sample>& samples) {
+                    Samples& samples) {
   samples.clear();
   const Eigen::Matrix2d spread = view.shape().inverse();
   const double width = kReach * spread.row(0).norm(), height = kReach * spread.row(1).norm();
@@ -76,7 +85,8 @@ void spread_samples(const cv::Mat& gray, const RingModel& model, const View& vie
       if (at.depth < 0.3 || at.q.squaredNorm() > kReach * kReach) continue;
       const Eigen::Vector2d half = 0.5 * at.moved_by * view.blur;
       if (std::max((at.q + half).squaredNorm(), (at.q - half).squaredNorm()) > allowed * allowed) continue;
-      samples.push_back({static_cast<float>(ix), static_cast<float>(iy), static_cast<float>(pixels[ix])});
+      samples.x.push_back(static_cast<float>(ix)), samples.y.push_back(static_cast<float>(iy));
+      samples.grey.push_back(static_cast<float>(pixels[ix]));
     }
   }
 }
@@ -84,10 +94,12 @@ void spread_samples(const cv::Mat& gray, const RingModel& model, const View& vie
 Light Fitter::light_of(std::size_t code, const View& view, double psf_px) const {
   const Exposure exposure(model_, code, view, psf_px);
   double light = 0, squares = 0, grey = 0, both = 0;
-  for (const Sample& sample : samples_) {
-    const double is = exposure.rings_at(sample.x, sample.y);
-    light += is, squares += is * is, grey += sample.grey, both += is * sample.grey;
-  }
+  in_blocks(samples_, [&](const float* x, const float* y, const float* greys, int n) {
+    Row is;
+    exposure.rings(x, y, n, is);
+    for (int i = 0; i < n; ++i)
+      light += is[i], squares += is[i] * is[i], grey += greys[i], both += is[i] * greys[i];
+  });
   const auto n = static_cast<double>(samples_.size());
   const double spread = n * squares - light * light;
   if (!(spread > 1e-9)) return {grey / n, 0, 0};
@@ -95,35 +107,36 @@ Light Fitter::light_of(std::size_t code, const View& view, double psf_px) const 
   return {(grey - gain * light) / n, gain, 0};
 }
 
-Fitter::Equations Fitter::equations(std::size_t code, const View& view, const Light& light, double psf_px) const {
+Fitter::Equations Fitter::equations(std::size_t code, const View& view, const Light& light,
+                                    double psf_px) const {
   const Exposure exposure(model_, code, view, psf_px);
-  // Sums of products of floats: rows of some pixels at a time, so that Eigen has something to multiply.
-  constexpr int kRows = 32;
-  Eigen::Matrix<float, kUnknowns, kRows> weighted, plain;
-  Eigen::Matrix<float, kRows, 1> residual;
-  Eigen::Matrix<float, kUnknowns, kUnknowns> normal = decltype(normal)::Zero();
-  Gradient right = Gradient::Zero();
   Equations sums{};
-  int filled = 0;
-  const auto flush = [&] {
-    normal.noalias() += weighted.leftCols(filled) * plain.leftCols(filled).transpose();
-    right.noalias() += weighted.leftCols(filled) * residual.head(filled);
-    filled = 0;
-  };
-  for (const Sample& sample : samples_) {
-    const Prediction is = exposure.at(sample.x, sample.y, light);
-    const float weight = weight_of(is.leaked), left = sample.grey - is.grey;
-    plain.col(filled) = is.gradient, weighted.col(filled) = weight * is.gradient, residual[filled] = left;
-    if (++filled == kRows) flush();
-    const double w = weight, g = sample.grey;
-    sums.squares += w * left * left, sums.weight += w, sums.grey += w * g, sums.grey_squares += w * g * g;
-  }
-  flush();
+  Eigen::Matrix<float, kUnknowns, kUnknowns> normal = decltype(normal)::Zero();
+  Eigen::Matrix<float, kUnknowns, 1> right = decltype(right)::Zero();
+  in_blocks(samples_, [&](const float* x, const float* y, const float* grey, int n) {
+    Prediction is;
+    exposure.predict(x, y, n, light, is);
+    alignas(32) Row weighted[kUnknowns], residual, weight;
+    for (int i = 0; i < n; ++i) {
+      const float left = grey[i] - is.grey[i], w = weight_of(is.leaked[i]);
+      residual[i] = left, weight[i] = w;
+      const double wd = w, g = grey[i];
+      sums.squares += wd * left * left, sums.weight += wd, sums.grey += wd * g,
+          sums.grey_squares += wd * g * g;
+    }
+    for (int k = 0; k < kUnknowns; ++k)
+      for (int i = 0; i < n; ++i) weighted[k][i] = weight[i] * is.gradient[k][i];
+    using Rows = Eigen::Matrix<float, kUnknowns, kBlock, Eigen::RowMajor>;
+    const Eigen::Map<const Rows, Eigen::Aligned32> plain(is.gradient[0]), times(weighted[0]);
+    normal.noalias() += times.leftCols(n) * plain.leftCols(n).transpose();
+    right.noalias() += times.leftCols(n) * Eigen::Map<const Eigen::VectorXf>(residual, n);
+  });
   sums.normal = normal.cast<double>(), sums.right = right.cast<double>();
   return sums;
 }
 
-std::optional<Fit> Fitter::fit(const cv::Mat& gray, std::size_t code, const View& start, const FitOptions& options) {
+std::optional<Fit> Fitter::fit(const cv::Mat& gray, std::size_t code, const View& start,
+                               const FitOptions& options) {
   View view = start;
   const auto look = [&] {
     spread_samples(gray, model_, view, options.pixels, samples_);
@@ -142,7 +155,8 @@ std::optional<Fit> Fitter::fit(const cv::Mat& gray, std::size_t code, const View
       Vector right = now.right;
       normal.diagonal() *= 1 + damping;
       normal(kLeak, kLeak) += kLeakPrior;
-      normal(kBlurX, kBlurX) += 1e-6 * (1 + normal(kCentreX, kCentreX)), normal(kBlurY, kBlurY) += 1e-6 * (1 + normal(kCentreY, kCentreY));
+      normal(kBlurX, kBlurX) += 1e-6 * (1 + normal(kCentreX, kCentreX)),
+          normal(kBlurY, kBlurY) += 1e-6 * (1 + normal(kCentreY, kCentreY));
       for (const int k : {kVanishingX, kVanishingY}) {
         normal(k, k) += perspective_prior;
         right[k] -= perspective_prior * view.vanishing[k - kVanishingX];
@@ -153,7 +167,8 @@ std::optional<Fit> Fitter::fit(const cv::Mat& gray, std::size_t code, const View
       Light lit = light;
       take(change, next, lit);
       Equations then;
-      if (change.allFinite() && next.possible() && (then = equations(code, next, lit, options.psf_px)).squares < now.squares) {
+      if (change.allFinite() && next.possible() &&
+          (then = equations(code, next, lit, options.psf_px)).squares < now.squares) {
         better = true;
         const double gained = (now.squares - then.squares) / now.squares;
         settled = gained < 1e-4 || (next.centre - view.centre).norm() < options.settled * 0.02 * radius;
@@ -190,15 +205,18 @@ std::optional<Fitter::RingLights> Fitter::ring_lights(const cv::Mat& gray, const
   // One amplitude for each ring, black, and what leaks in: linear in all of them.
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(slots + 2, slots + 2);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(slots + 2), row(slots + 2);
-  for (const Sample& sample : samples_) {
-    for (Eigen::Index slot = 0; slot < slots; ++slot)
-      row[slot] = ring[static_cast<std::size_t>(slot)].rings_at(sample.x, sample.y);
-    const float leaked = ring.front().leaked_at(sample.x, sample.y);
-    row[slots] = 1, row[slots + 1] = leaked;
-    const double weight = weight_of(leaked);
-    normal.selfadjointView<Eigen::Lower>().rankUpdate(row, weight);
-    right += weight * sample.grey * row;
-  }
+  in_blocks(samples_, [&](const float* x, const float* y, const float* grey, int n) {
+    Row light[kMostRingBits + 2], leaked;
+    for (std::size_t slot = 0; slot < ring.size(); ++slot) ring[slot].rings(x, y, n, light[slot]);
+    ring.front().leaked(x, y, n, leaked);
+    for (int i = 0; i < n; ++i) {
+      for (Eigen::Index slot = 0; slot < slots; ++slot) row[slot] = light[slot][i];
+      row[slots] = 1, row[slots + 1] = leaked[i];
+      const double weight = weight_of(leaked[i]);
+      normal.selfadjointView<Eigen::Lower>().rankUpdate(row, weight);
+      right += weight * grey[i] * row;
+    }
+  });
   normal.diagonal().head(slots).array() += 1e-6 * static_cast<double>(samples_.size());
   normal(slots + 1, slots + 1) += 1e-3;
   const Eigen::VectorXd light = normal.selfadjointView<Eigen::Lower>().ldlt().solve(right);

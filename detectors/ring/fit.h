@@ -28,15 +28,18 @@ struct Fit {
   int pixels = 0;       ///< that it rests on
 };
 
-/// A pixel and its grey value.
-struct Sample {
-  float x = 0, y = 0, grey = 0;
+/// Pixels and their grey values.
+struct Samples {
+  std::vector<float> x, y, grey;
+
+  std::size_t size() const { return x.size(); }
+  void clear() { x.clear(), y.clear(), grey.clear(); }
 };
 
 /// Some `count` pixels, evenly spread over the marker's disc and the beginning of its quiet zone, as far as they
 /// see next to nothing but the sheet during the whole exposure. `samples` is reused.
 void spread_samples(const cv::Mat& gray, const RingModel& model, const View& view, int count,
-                    std::vector<Sample>& samples);
+                    Samples& samples);
 
 /// Fits the exposure of markers of one geometry by Levenberg and Marquardt's method. Keeps its buffers.
 class Fitter {
@@ -66,7 +69,7 @@ class Fitter {
   Light light_of(std::size_t code, const View& view, double psf_px) const;
 
   RingModel& model_;
-  std::vector<Sample> samples_;
+  Samples samples_;
 };
 
 }  // namespace relock::ring

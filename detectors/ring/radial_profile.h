@@ -8,10 +8,14 @@
 
 namespace relock::ring {
 
-/// A value and its slope.
-struct Rise {
-  float value = 0;
-  float slope = 0;
+/// So many points are worked on together: loops over them become vector instructions.
+constexpr int kBlock = 64;
+using Row = float[kBlock];
+
+/// The mean of a marker's light at some points while the marker moves, and how it changes with each point q and
+/// its movement u, in the marker's plane.
+struct SweptLight {
+  alignas(32) Row mean, by_qx, by_qy, by_ux, by_uy;
 };
 
 /// The light of some annuli about one middle, 1 in them and 0 outside, smoothed by a Gaussian: against the
@@ -26,24 +30,19 @@ class RadialProfile {
   static constexpr double kLeastSigma = 0.004, kSigmaRatio = 1.2;
   static constexpr int kSigmas = 24;
 
-  /// At `radius` >= 0, smoothed by the nearest sigma that there is.
-  Rise at(float radius, float sigma) const {
-    const Rise* row = &table_[static_cast<std::size_t>(level_of(sigma)) * kSamples];
-    const float place = std::min(radius * kPerRadius, static_cast<float>(kSamples - 1));
-    const int sample = static_cast<int>(place + 0.5f);
-    const Rise& near = row[sample];
-    return {near.value + near.slope * (place - static_cast<float>(sample)) * (1 / kPerRadius), near.slope};
-  }
-  /// The exact value.
-  double exactly(double radius, double sigma) const;
+  /// At n <= kBlock points (qx, qy), smoothed by Gaussians of these variances, while they move by (ux, uy) from
+  /// q - u/2 to q + u/2: the mean over the middles of `moments` equal parts, each smoothed by its own length, so that
+  /// few are enough for short movements. With the nearest sigma that there is, linearly between radii.
+  void mean(const float* qx, const float* qy, const float* ux, const float* uy, const float* variance, int n,
+            int moments, SweptLight& out) const;
+
+  /// The value at a radius, and its slope, without tables.
+  double value(double radius, double sigma) const;
+  double slope(double radius, double sigma) const;
 
  private:
-  static constexpr int kSamples = 1024;
-  static constexpr float kPerRadius = static_cast<float>((kSamples - 1) / kEnd);
-  static int level_of(float sigma);
-
   std::vector<Annulus> annuli_;
-  std::vector<Rise> table_;  // a row for each sigma
+  std::vector<float> table_;  // value and slope in turn, along the radius, a row for each sigma
 };
 
 }  // namespace relock::ring

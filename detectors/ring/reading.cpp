@@ -50,8 +50,9 @@ std::optional<Fit> with_best_sharpness(const Level& level, Fitter& fitter, std::
   std::optional<Fit> best;
   double best_psf = psf_px;
   for (const double psf : {0.3, 0.42, 0.58, 0.8, 1.1, 1.5}) {
-    const auto tried = fitter.fit(level.gray, code, fit.view,
-                                  {.pixels = kLightPixels, .steps = small ? 5 : 1, .psf_px = psf, .settled = 0.01});
+    const auto tried =
+        fitter.fit(level.gray, code, fit.view,
+                   {.pixels = kLightPixels, .steps = small ? 5 : 1, .psf_px = psf, .settled = 0.01});
     if (tried && (!best || tried->residual < best->residual)) best = tried, best_psf = psf;
   }
   psf_px = best_psf;
@@ -81,7 +82,9 @@ std::optional<Reading> read(const Pyramid& pyramid, Fitter& fitter, RingModel& m
   for (int round = 0; round < 3; ++round) {
     const bool first = round == 0;
     auto fitted = fitter.fit(level.gray, bits.code, fit.view,
-                             {.pixels = first ? kCoarsePixels : kFinePixels, .steps = first ? 6 : 9, .psf_px = psf,
+                             {.pixels = first ? kCoarsePixels : kFinePixels,
+                              .steps = first ? 6 : 9,
+                              .psf_px = psf,
                               .settled = first ? 0.02 : 0.006});
     if (!fitted || fitted->misfit > kHopelessMisfit) return {};
     fit = *fitted;
@@ -97,7 +100,8 @@ std::optional<Reading> read(const Pyramid& pyramid, Fitter& fitter, RingModel& m
     bits = now;
     if (!agreed) continue;
     const bool possible_gain = lights->gain >= acceptance.least_gain && lights->gain + lights->offset <= 300;
-    if (!possible_gain || fit.misfit > acceptance.most_misfit || bits.doubt > acceptance.most_doubt) return {};
+    if (!possible_gain || fit.misfit > acceptance.most_misfit || bits.doubt > acceptance.most_doubt)
+      return {};
     return Reading{in_full_picture(fit, level.scale), bits.code, psf * level.scale, bits.doubt};
   }
   return {};

@@ -23,8 +23,10 @@ constexpr double kLeastBlur = 0.04;
 std::vector<Chord> best_of_directions(const Candidate& candidate) {
   std::map<int, Chord> best;
   for (const Chord& chord : candidate.chords) {
-    if (chord.code != candidate.best.code || chord.likeness < std::max(0.85, candidate.best.likeness - 0.1)) continue;
-    if (chord.radius_px > 4 * candidate.best.radius_px || candidate.best.radius_px > 4 * chord.radius_px) continue;
+    if (chord.code != candidate.best.code || chord.likeness < std::max(0.85, candidate.best.likeness - 0.1))
+      continue;
+    if (chord.radius_px > 4 * candidate.best.radius_px || candidate.best.radius_px > 4 * chord.radius_px)
+      continue;
     const auto [place, fresh] = best.try_emplace(chord.direction, chord);
     if (!fresh && chord.likeness > place->second.likeness) place->second = chord;
   }
@@ -43,7 +45,8 @@ Vector2d middle_of_similar(const Candidate& candidate) {
     if (chord.direction != best.direction || chord.code != best.code) continue;
     if (std::abs(chord.radius_px - best.radius_px) > 0.1 * best.radius_px) continue;
     const Vector2d off = vector_of(chord.middle) - middle;
-    if (std::abs(off.dot(along)) > 0.12 * best.radius_px + 1 || std::abs(off.dot(across(along))) > best.radius_px)
+    if (std::abs(off.dot(along)) > 0.12 * best.radius_px + 1 ||
+        std::abs(off.dot(across(along))) > best.radius_px)
       continue;
     sum += vector_of(chord.middle), ++n;
   }
@@ -127,7 +130,8 @@ std::vector<View> tilted_about(const Chord& chord, double focal_px) {
 /// A blurred marker shows along lines across its blur. Foreshortened along the blur by any `flat`, blurred by about
 /// what the chord's profile says. Where chord and blur are not at right angles, they are conjugate diameters (the
 /// marker is tilted) or the chord runs askew.
-std::vector<View> blurred_along(const Chord& chord, const Vector2d& direction, const std::vector<Vector2d>& centres) {
+std::vector<View> blurred_along(const Chord& chord, const Vector2d& direction,
+                                const std::vector<Vector2d>& centres) {
   std::vector<View> all;
   const Vector2d along = vector_of(chord.along);
   const double cosine = std::abs(across(direction).dot(along)), sine = std::abs(direction.dot(along));
@@ -137,9 +141,11 @@ std::vector<View> blurred_along(const Chord& chord, const Vector2d& direction, c
     for (const double longer : {0.65, 1.0, 1.5})
       for (const Vector2d& centre : centres) {
         const double radius = chord.radius_px * std::hypot(cosine, sine / flat);
-        all.push_back(blurred(along_and_across(centre, radius, across(direction), flat), longer * blur * direction));
+        all.push_back(
+            blurred(along_and_across(centre, radius, across(direction), flat), longer * blur * direction));
         if (sine < 0.08) continue;
-        const View conjugate = with_diameters(point_of(centre), chord.radius_px * along, flat * chord.radius_px * direction);
+        const View conjugate =
+            with_diameters(point_of(centre), chord.radius_px * along, flat * chord.radius_px * direction);
         all.push_back(blurred(conjugate, longer * flat * blur * direction));
       }
   return all;
@@ -148,7 +154,8 @@ std::vector<View> blurred_along(const Chord& chord, const Vector2d& direction, c
 }  // namespace
 
 LocalBlur local_blur(const cv::Mat& gray, const Vector2d& centre, double radius) {
-  const int left = std::max(1, static_cast<int>(centre.x() - radius)), top = std::max(1, static_cast<int>(centre.y() - radius));
+  const int left = std::max(1, static_cast<int>(centre.x() - radius)),
+            top = std::max(1, static_cast<int>(centre.y() - radius));
   const int right = std::min(gray.cols - 2, static_cast<int>(centre.x() + radius));
   const int bottom = std::min(gray.rows - 2, static_cast<int>(centre.y() + radius));
   double xx = 0, xy = 0, yy = 0;
@@ -166,7 +173,8 @@ LocalBlur local_blur(const cv::Mat& gray, const Vector2d& centre, double radius)
 
 std::vector<View> starts(const Candidate& candidate, const LocalBlur& local_blur, double focal_px) {
   const Chord& best = candidate.best;
-  const Vector2d along = vector_of(best.along), middle = vector_of(best.middle), similar = middle_of_similar(candidate);
+  const Vector2d along = vector_of(best.along), middle = vector_of(best.middle),
+                 similar = middle_of_similar(candidate);
   const std::vector<Chord> chords = best_of_directions(candidate);
   const double least = kLeastBlur * best.radius_px;
   std::vector<View> plain;
@@ -190,7 +198,8 @@ std::vector<View> starts(const Candidate& candidate, const LocalBlur& local_blur
   const auto add = [&](const std::vector<View>& more) { all.insert(all.end(), more.begin(), more.end()); };
   if (best.blur < 0.5 && chords.size() >= 3) add(with_perspective(plain, focal_px));
   if (best.blur < 0.3 && chords.size() < 5 && best.likeness > 0.93) add(tilted_about(best, focal_px));
-  if (best.blur > 0.1 || local_blur.coherence > 0.2) add(blurred_along(best, local_blur.direction, {middle, similar}));
+  if (best.blur > 0.1 || local_blur.coherence > 0.2)
+    add(blurred_along(best, local_blur.direction, {middle, similar}));
   return all;
 }
 

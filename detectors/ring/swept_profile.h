@@ -6,14 +6,6 @@
 
 namespace relock::ring {
 
-/// The mean of a marker's light at a point while the marker moves, and how it changes with the point q and with
-/// the movement u, in the marker's plane.
-struct SweptLight {
-  float mean = 0;
-  float by_q[2] = {0, 0};
-  float by_u[2] = {0, 0};
-};
-
 /// The mean over long movements, in a time that does not depend on how long they are.
 ///
 /// With x along the movement and y across it, the mean over the movement from x - u/2 to x + u/2 is
@@ -26,27 +18,16 @@ class SweptProfile {
  public:
   SweptProfile(const RadialProfile& profile, double sigma);
 
-  /// At q, moving by u from q - u/2 to q + u/2. |u| must be kShortest or more: a difference of two entries is
-  /// divided by it.
-  SweptLight at(const float q[2], const float u[2]) const;
+  /// At n <= kBlock points (qx, qy), moving by (ux, uy) from q - u/2 to q + u/2. |u| must be kShortest or more: a
+  /// difference of two entries is divided by it.
+  void mean(const float* qx, const float* qy, const float* ux, const float* uy, int n, SweptLight& out) const;
 
   static constexpr float kShortest = 0.12f;
   /// Nothing of the profile lies beyond.
   static constexpr double kEnd = 1.7;
 
  private:
-  struct Entry {
-    float sum = 0;     // G
-    float along = 0;   // dG/dx = P
-    float across = 0;  // dG/dy
-    float unused = 0;
-  };
-  /// dx: G, P, dG/dy at (x, y), x of either sign, y >= 0.
-  Entry read(float x, float y) const;
-
-  static constexpr int kSamples = 256;
-  static constexpr float kPerRadius = static_cast<float>((kSamples - 1) / kEnd);
-  std::vector<Entry> table_;  // a row for each y
+  std::vector<float> table_;  // G, dG/dx, dG/dy and nothing in turn, along x, a row for each y
 };
 
 }  // namespace relock::ring

@@ -16,10 +16,10 @@
 namespace relock::ring {
 
 struct View {
-  Eigen::Vector2d centre{0, 0};       ///< c, px: the image of the marker's middle
-  double xx = 1, xy = 0, yy = 1;      ///< S, 1/px
-  Eigen::Vector2d vanishing{0, 0};    ///< v, 1/px: 1 + v . (p - c) = 0 is the vanishing line of the plane
-  Eigen::Vector2d blur{0, 0};         ///< how far the picture moves during the exposure, px; either sign is the same
+  Eigen::Vector2d centre{0, 0};     ///< c, px: the image of the marker's middle
+  double xx = 1, xy = 0, yy = 1;    ///< S, 1/px
+  Eigen::Vector2d vanishing{0, 0};  ///< v, 1/px: 1 + v . (p - c) = 0 is the vanishing line of the plane
+  Eigen::Vector2d blur{0, 0};  ///< how far the picture moves during the exposure, px; either sign is the same
 
   Eigen::Matrix2d shape() const { return (Eigen::Matrix2d() << xx, xy, xy, yy).finished(); }
   double determinant() const { return xx * yy - xy * xy; }
@@ -47,9 +47,9 @@ BlurEstimate blur_of(const View& view);
 
 /// A point of the picture in the marker's plane, with what is around it.
 struct Placed {
-  Eigen::Vector2d q;        ///< the point
-  Eigen::Matrix2d moved_by; ///< dq/dp
-  double depth;             ///< w = 1 + v . (p - c)
+  Eigen::Vector2d q;         ///< the point
+  Eigen::Matrix2d moved_by;  ///< dq/dp
+  double depth;              ///< w = 1 + v . (p - c)
 };
 Placed placed(const View& view, const Eigen::Vector2d& p);
 
