@@ -77,7 +77,8 @@ void LineScan::shear(const cv::Mat& rows_are_steps) {
     const int left = static_cast<int>(x);
     const int end = std::min(count, line + (width_ - left) / kSpacing);
     const int fraction = static_cast<int>((x - left) * kOne);
-    if (end > line) every_second(rows_are_steps.ptr(step) + left, fraction, end - line, sheared_.ptr(step) + line);
+    if (end > line)
+      every_second(rows_are_steps.ptr(step) + left, fraction, end - line, sheared_.ptr(step) + line);
   }
   cv::transpose(sheared_, lines_);
 }

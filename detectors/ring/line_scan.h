@@ -61,10 +61,10 @@ class LineScan {
 
   LineDirection direction_;
   std::size_t count_ = 0;
-  cv::Mat rows_;          // lines along x without slope are the picture's rows
-  double first_ = 0;      // where line 0 begins across the axis, px
-  int width_ = 0;         // of the picture across the axis
-  int steps_ = 0;         // along it
+  cv::Mat rows_;             // lines along x without slope are the picture's rows
+  double first_ = 0;         // where line 0 begins across the axis, px
+  int width_ = 0;            // of the picture across the axis
+  int steps_ = 0;            // along it
   cv::Mat sheared_, lines_;  // rows are steps; rows are lines
 };
 

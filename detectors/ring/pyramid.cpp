@@ -15,7 +15,8 @@ void Pyramid::build(const cv::Mat& picture) {
       level[k].release();
       continue;
     }
-    cv::resize(finer(cv::Rect({}, 2 * size)), level[k], size, 0, 0, cv::INTER_AREA);
+    cv::resize(finer(cv::Rect({}, cv::Size(2 * size.width, 2 * size.height))), level[k], size, 0, 0,
+               cv::INTER_AREA);
   }
 }
 

@@ -18,3 +18,10 @@
 #else
 #define RELOCK_VECTOR_CLONES
 #endif
+
+/// Before a loop whose rounds do not need each other: no array written in it is read under another name.
+#if defined(__clang__)
+#define RELOCK_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
+#else
+#define RELOCK_INDEPENDENT _Pragma("GCC ivdep")
+#endif
