@@ -1,0 +1,145 @@
+#include "detectors/ring/chords.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "detectors/ring/pyramid.h"
+
+namespace relock::ring {
+namespace {
+
+constexpr float kWidthRatio = 1.7F, kStrengthRatio = 3;  // between the two sides of one ring
+constexpr float kLeastContrast = 20;                     // grey levels within a chord
+constexpr float kGlanceAsymmetry = 0.3F;                 // of the contrast
+constexpr float kAsymmetry = 0.22F;                      // energy of the odd part over that of the even
+constexpr float kBarOverQuiet = 0.3F, kQuietOverDarkest = 0.4F;  // of the contrast
+constexpr float kLeastVariance = 60;                             // grey levels squared, of a fold
+
+constexpr int kGlances = 8;
+constexpr float kGlanceStep = static_cast<float>(kReach) / kGlances;
+constexpr float kFoldStep = static_cast<float>(kReach) / kFoldSamples;
+
+float value_at(const Line& line, float step) {
+  const int left = static_cast<int>(step);
+  const float a = line.values[left], b = line.values[left + 1];
+  return a + (step - static_cast<float>(left)) * (b - a);
+}
+
+}  // namespace
+
+ChordFinder::ChordFinder(const RingGeometry& geometry, double most_blur, double least_likeness)
+    : templates_(geometry, most_blur), least_likeness_(least_likeness) {
+  const Annulus& outermost = geometry.slots.back();
+  narrowest_ = static_cast<float>(0.5 * outermost.width());
+  // Blur across a line joins a ring with its neighbours.
+  widest_ = static_cast<float>(std::max(3.2 * outermost.width(), 0.3));
+  bar_sample_ = static_cast<std::size_t>((outermost.inner + outermost.outer) / 2 / kReach * kFoldSamples);
+}
+
+void ChordFinder::find(const LineScan& scan, const ChordSearch& search, std::vector<Chord>& chords) {
+  for (std::size_t rank = 0; rank < scan.size(); ++rank) {
+    const Line line = scan[rank];
+    const Edges& edges = edge_finder_.find(line, search.least_rise);
+    if (edges.size() < 4) continue;
+    find_bars(edges);
+    const auto step_px = static_cast<float>(norm(line.step));
+    const float least = static_cast<float>(search.least_radius_px) / step_px;
+    const float most = static_cast<float>(search.most_radius_px) / step_px;
+    for (std::size_t i = 0; i < bars_.size(); ++i)
+      for (std::size_t j = i + 1; j < bars_.size(); ++j) {
+        const float half = (bars_[j].end - bars_[i].begin) / 2;
+        if (half > most) break;
+        if (half < least || !could_be_one_ring(bars_[i], bars_[j], half)) continue;
+        const Pair pair{(bars_[j].end + bars_[i].begin) / 2, half};
+        if (symmetric_at_a_glance(line, pair) && folded(line, pair)) match(line, pair, search, chords);
+      }
+  }
+}
+
+/// Noise may leave a second edge beside one of a bar's: bars with and without it are both tried.
+void ChordFinder::find_bars(const Edges& edges) {
+  bars_.clear();
+  const std::size_t n = edges.size();
+  const auto add = [&](std::size_t up, std::size_t down) {
+    bars_.push_back({edges.at[up], edges.at[down], edges.rise[up], -edges.rise[down]});
+  };
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    if (edges.rise[i] < 0) continue;
+    const bool falls = edges.rise[i + 1] < 0, then_falls = i + 2 < n && edges.rise[i + 2] < 0;
+    if (falls) add(i, i + 1);
+    if (then_falls) add(i, i + 2);
+  }
+}
+
+bool ChordFinder::could_be_one_ring(const Bar& left, const Bar& right, float half) const {
+  const float a = left.end - left.begin, b = right.end - right.begin;
+  const float narrowest = narrowest_ * half - 0.7F, widest = widest_ * half + 1;
+  if (a < narrowest || a > widest || b < narrowest || b > widest) return false;
+  if (a > kWidthRatio * b + 0.8F || b > kWidthRatio * a + 0.8F) return false;
+  return left.rise < kStrengthRatio * right.fall && right.fall < kStrengthRatio * left.rise &&
+         left.fall < kStrengthRatio * right.rise && right.rise < kStrengthRatio * left.fall;
+}
+
+bool ChordFinder::symmetric_at_a_glance(const Line& line, const Pair& pair) {
+  const float reach = pair.half * static_cast<float>(kReach);
+  if (pair.middle - reach < 0 || pair.middle + reach >= static_cast<float>(line.steps - 1)) return false;
+  float darkest = 255, brightest = 0, apart = 0;
+  for (int i = 0; i < kGlances; ++i) {
+    const float off = (static_cast<float>(i) + 0.625F) * kGlanceStep * pair.half;
+    const float a = value_at(line, pair.middle - off), b = value_at(line, pair.middle + off);
+    apart += std::abs(a - b);
+    darkest = std::min({darkest, a, b});
+    brightest = std::max({brightest, a, b});
+  }
+  const float contrast = brightest - darkest;
+  return contrast >= kLeastContrast && apart <= kGlances * kGlanceAsymmetry * contrast;
+}
+
+/// Makes fold_ of a pair: mean 0, square sum 1. False where it cannot be a marker's.
+bool ChordFinder::folded(const Line& line, const Pair& pair) {
+  float sum = 0, odd = 0;
+  for (std::size_t i = 0; i < kFoldSamples; ++i) {
+    const float off = (static_cast<float>(i) + 0.5F) * kFoldStep * pair.half;
+    const float a = value_at(line, pair.middle - off), b = value_at(line, pair.middle + off);
+    fold_[i] = (a + b) / 2;
+    sum += fold_[i];
+    odd += (a - b) * (a - b) / 4;
+  }
+  const auto [darkest, brightest] = std::minmax_element(fold_.begin(), fold_.end());
+  const float contrast = *brightest - *darkest;
+  const float bar = *std::max_element(fold_.begin() + static_cast<int>(bar_sample_) - 1,
+                                      fold_.begin() + static_cast<int>(bar_sample_) + 2);
+  const float quiet = (fold_[kFoldSamples - 3] + fold_[kFoldSamples - 1]) / 2;
+  if (bar - quiet < kBarOverQuiet * contrast || quiet - *darkest > kQuietOverDarkest * contrast) return false;
+  const float mean = sum / kFoldSamples;
+  float even = 0;
+  for (float& value : fold_) {
+    value -= mean;
+    even += value * value;
+  }
+  if (even < kFoldSamples * kLeastVariance || odd > kAsymmetry * even) return false;
+  const float scale = 1 / std::sqrt(even);
+  for (float& value : fold_) value *= scale;
+  return true;
+}
+
+void ChordFinder::match(const Line& line, const Pair& pair, const ChordSearch& search,
+                        std::vector<Chord>& chords) {
+  const ChordTemplates::Match found = templates_.best(fold_);
+  if (found.likeness < least_likeness_) return;
+  const ChordTemplates::Shape& shape = templates_.shape(found.shape);
+  const double step_px = norm(line.step);
+  const double scale = std::ldexp(1.0, static_cast<int>(search.level));
+  Chord chord;
+  chord.middle = in_full_picture(line.at(pair.middle), search.level);
+  chord.along = (1 / step_px) * line.step;
+  chord.radius_px = pair.half * step_px * scale / shape.edge;
+  chord.code = shape.code;
+  chord.blur = shape.exposed.blur;
+  chord.misalignment_rad = shape.exposed.misalignment_rad;
+  chord.likeness = found.likeness;
+  chord.direction = search.direction;
+  chords.push_back(chord);
+}
+
+}  // namespace relock::ring
