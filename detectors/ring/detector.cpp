@@ -73,8 +73,10 @@ class RingDetector final : public Detector {
   std::optional<Reading> look_closely(const Candidate& candidate) {
     const std::size_t level = coarse_level(least_radius(candidate));
     const auto begun = scored_starts(candidate, level);
+    if (getenv("RV")) printf("    cand %.1f %.1f R %.1f blur %.1f like %.3f n %zu dirs %d score %.3f code %zu starts %zu best %.3f\n", candidate.best.middle.x, candidate.best.middle.y, candidate.best.radius_px, candidate.best.blur, candidate.best.likeness, candidate.chords.size(), candidate.directions, candidate.score, candidate.best.code, begun.size(), begun.empty()?0:begun[0].likeness);
     if (begun.empty() || begun.front().likeness < 0.4) return {};
     const auto coarse = best_fit(begun, candidate.best.code, level);
+    if (getenv("RV")) { if (coarse) printf("       coarse %.1f %.1f R %.1f blur %.1f misfit %.3f\n", coarse->view.centre.x(), coarse->view.centre.y(), coarse->view.radius(), coarse->view.blur.norm(), coarse->misfit); else printf("       no coarse\n"); }
     if (!coarse) return {};
     return read(pyramid_, fitter_, model_, *coarse, {});
   }
@@ -96,7 +98,7 @@ class RingDetector final : public Detector {
     here = in_larger_pixels(here, scale);
     const LocalBlur blur = local_blur(gray, here.centre, 0.95 * here.radius());
     std::vector<ScoredView> scored;
-    for (const View& start : starts(candidate, blur, 0.9 * pyramid_.full().cols)) {
+    for (const View& start : starts(candidate, finder_.chords(), blur, 0.9 * pyramid_.full().cols)) {
       const View view = in_larger_pixels(start, scale);
       if (!view.possible() || view.radius() < 2 || view.radius() > 400) continue;
       scored.push_back({view, likeness(gray, model_, candidate.best.code, view, kCoarsePsf_px)});

@@ -34,6 +34,8 @@ class CandidateFinder {
   /// Best first; valid until the next call. The picture shows white rings on black: of inverted markers, it is the
   /// negative.
   const std::vector<Candidate>& find(const Pyramid& pyramid);
+  /// All chords of the last picture, of which candidates were made.
+  const std::vector<Chord>& chords() const { return chords_; }
 
  private:
   FinderOptions options_;
