@@ -24,6 +24,13 @@ expect "and methods run on it" 0 $?
 "$relock" simulate "$work/canvas/canvas.toml" --out "$work/again/canvas" >/dev/null
 expect "a canvas is made again" "" "$(diff -r "$work/canvas" "$work/again/canvas")"
 
+printf 'preset = "stills"\ntargets = ["ring:01", "aruco6x6_250:0"]\nstills = 4\nblurs_px = [0, 30]\nwidth = 320\nheight = 240\nsize_px = [50, 70]\n' >"$work/plan.toml"
+expect_contains "stills are made" "4 stills of 320x240 of ring:01, aruco6x6_250:0" "$("$relock" simulate "$work/plan.toml" --seed 3 --out "$work/stills")"
+"$relock" run --sequence "$work/stills" --methods aruco --protocol detect --out "$work/stills-results" >/dev/null
+expect "and methods run on them" 0 $?
+"$relock" simulate "$work/stills/stills.toml" --out "$work/again/stills" >/dev/null
+expect "stills are made again" "" "$(diff -r "$work/stills" "$work/again/stills")"
+
 expect_contains "presets are listed" "violent" "$("$relock" simulate --list)"
 expect_contains "a plan is shown" "most_rate_deg_s = 500" "$("$relock" simulate --preset violent --show)"
 
@@ -39,6 +46,8 @@ mistake "no folder" "--out FOLDER"
 mistake "no preset" 'did you mean "violent"?' --preset violet --out "$work/x"
 mistake "no target" "ring" --target rung:01 --out "$work/x"
 mistake "a folder that is there" "is there already" --out "$work/flight"
+mistake "stills in time" "have no time" --preset stills --duration 3 --out "$work/x"
+mistake "stills of one target twice" "asked for twice" --preset stills --target ring:01 --target ring:01 --out "$work/x"
 printf '[scene]\nbackground = "none.jpg"\n' >"$work/plan.toml"
 mistake "no background" "none.jpg" "$work/plan.toml" --out "$work/x"
 printf '[exposure]\ntime_ms = -3\n' >"$work/plan.toml"
