@@ -11,11 +11,14 @@
 #include "core/error.h"
 #include "sequences/simulator/canvas_plan.h"
 #include "sequences/simulator/flight.h"
+#include "sequences/simulator/stills_plan.h"
 
 namespace relock {
 namespace {
 
 using simulator::FlightPlan;
+
+constexpr double kAnySize_m = 0.15;  // of targets where the plan says how large they are in the picture
 
 int list_presets() {
   for (const simulator::FlightPreset& preset : simulator::flight_presets())
@@ -70,10 +73,36 @@ int make_canvas(const SimulateArguments& a) {
     return 0;
   }
   if (!a.out) throw Error("where the pictures go is missing: --out FOLDER");
-  constexpr double kAnySize_m = 0.15;  // the plan says how large it is in the picture
   simulator::write_canvas(*a.out, canvas.plan, print_target(canvas.target, kAnySize_m), canvas.seed, text);
   fmt::print("{}: {} pictures of {} on {}x{}\n", a.out->string(), simulator::canvas_pictures(canvas.plan),
              canvas.target, canvas.plan.canvas_px, canvas.plan.canvas_px);
+  return 0;
+}
+
+bool wants_stills(const SimulateArguments& a) {
+  return a.plan ? simulator::is_stills_file(*a.plan) : a.preset == "stills";
+}
+
+int make_stills(const SimulateArguments& a) {
+  simulator::StillsFile stills = a.plan ? simulator::read_stills_file(*a.plan) : simulator::StillsFile{};
+  if (a.duration_s || a.gaps || a.preview)
+    throw Error("stills have no time: leave out --duration, --gaps and --preview");
+  if (!a.targets.empty()) stills.targets = a.targets;
+  stills.seed = a.seed.value_or(stills.seed);
+  const std::string text = simulator::stills_file_text(stills);
+  if (a.show) {
+    fmt::print("{}", text);
+    return 0;
+  }
+  if (!a.out) throw Error("where the pictures go is missing: --out FOLDER");
+  if (stills.stills < 1 || stills.stills > 1000000) throw Error("stills must be from 1 to 1000000");
+  std::vector<PrintedTarget> targets;
+  for (const std::string& name : stills.targets) targets.push_back(print_target(name, kAnySize_m));
+  cv::setNumThreads(1);  // pictures are small: threads cost more than they save
+  simulator::write_stills(*a.out, stills.plan, targets, static_cast<std::size_t>(stills.stills), stills.seed,
+                          text);
+  fmt::print("{}: {} stills of {}x{} of {}\n", a.out->string(), stills.stills, stills.plan.picture.width,
+             stills.plan.picture.height, fmt::join(stills.targets, ", "));
   return 0;
 }
 
@@ -83,6 +112,7 @@ int simulate(const SimulateArguments& arguments) {
   if (arguments.list) return list_presets();
   if (arguments.plan && arguments.preset) throw Error("a plan names its own preset; leave --preset out");
   if (wants_canvas(arguments)) return make_canvas(arguments);
+  if (wants_stills(arguments)) return make_stills(arguments);
   const FlightPlan plan = plan_of(arguments);
   if (arguments.show) {
     fmt::print("{}", simulator::flight_plan_text(plan));

@@ -62,6 +62,19 @@ class TomlTable {
     return nodes;
   }
 
+  /// A list of numbers; `otherwise` when the key is not there.
+  std::vector<double> numbers(std::string_view key, std::vector<double> otherwise) const {
+    const auto nodes = list(key);
+    if (nodes.empty()) return otherwise;
+    std::vector<double> values;
+    for (const toml::node* node : nodes) {
+      const auto value = node->value<double>();
+      if (!value) fail(*node, fmt::format("{} must be numbers", key));
+      values.push_back(*value);
+    }
+    return values;
+  }
+
   const toml::node* node(std::string_view key) const { return table_.get(key); }
   const std::string& file() const { return file_; }
 

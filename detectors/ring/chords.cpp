@@ -15,6 +15,8 @@ constexpr float kAsymmetry = 0.22F;                      // energy of the odd pa
 constexpr float kBarOverQuiet = 0.3F, kQuietOverDarkest = 0.4F;  // of the contrast
 constexpr float kLeastVariance = 60;                             // grey levels squared, of a fold
 
+constexpr float kLeastForeshortening = 0.03F, kMostForeshortening = 0.25F;
+constexpr float kEnd = static_cast<float>(kReach);
 constexpr int kGlances = 8;
 constexpr float kGlanceStep = static_cast<float>(kReach) / kGlances;
 constexpr float kFoldStep = static_cast<float>(kReach) / kFoldSamples;
@@ -33,6 +35,7 @@ ChordFinder::ChordFinder(const RingGeometry& geometry, double most_blur, double 
   narrowest_ = static_cast<float>(0.5 * outermost.width());
   // Blur across a line joins a ring with its neighbours.
   widest_ = static_cast<float>(std::max(3.2 * outermost.width(), 0.3));
+  bar_middle_ = static_cast<float>((outermost.inner + outermost.outer) / 2);
   bar_sample_ = static_cast<std::size_t>((outermost.inner + outermost.outer) / 2 / kReach * kFoldSamples);
 }
 
@@ -50,8 +53,8 @@ void ChordFinder::find(const LineScan& scan, const ChordSearch& search, std::vec
         const float half = (bars_[j].end - bars_[i].begin) / 2;
         if (half > most) break;
         if (half < least || !could_be_one_ring(bars_[i], bars_[j], half)) continue;
-        const Pair pair{(bars_[j].end + bars_[i].begin) / 2, half};
-        if (symmetric_at_a_glance(line, pair) && folded(line, pair)) match(line, pair, search, chords);
+        const auto pair = symmetric_pair(line, bars_[i], bars_[j]);
+        if (pair && folded(line, *pair)) match(line, *pair, search, chords);
       }
   }
 }
@@ -80,27 +83,52 @@ bool ChordFinder::could_be_one_ring(const Bar& left, const Bar& right, float hal
          left.fall < kStrengthRatio * right.rise && right.rise < kStrengthRatio * left.fall;
 }
 
-bool ChordFinder::symmetric_at_a_glance(const Line& line, const Pair& pair) {
-  const float reach = pair.half * static_cast<float>(kReach);
-  if (pair.middle - reach < 0 || pair.middle + reach >= static_cast<float>(line.steps - 1)) return false;
+/// Of a tilted marker the nearer half is longer. A straight line through its middle is then mapped by u/(1 + v u):
+/// lengths at u by 1/(1 + v u)^2, which makes the two bars unequally wide. Their widths are not exact: half that v and
+/// none are tried, too.
+std::optional<ChordFinder::Pair> ChordFinder::symmetric_pair(const Line& line, const Bar& left,
+                                                             const Bar& right) const {
+  const Pair pair{(left.begin + right.end) / 2, (right.end - left.begin) / 2};
+  const float ratio = std::sqrt((left.end - left.begin) / (right.end - right.begin));
+  const float v =
+      std::clamp((ratio - 1) / (ratio + 1) / bar_middle_, -kMostForeshortening, kMostForeshortening);
+  std::optional<Pair> best;
+  float least = 1;
+  for (const float part : {0.0F, 0.5F, 1.0F}) {
+    if (part > 0 && std::abs(v) < kLeastForeshortening) break;
+    const Pair foreshortened{pair.middle, pair.half, part * v};
+    if (foreshortened.at(-kEnd) < 0 || foreshortened.at(kEnd) >= static_cast<float>(line.steps - 1)) continue;
+    const Glance glance = ChordFinder::glance(line, foreshortened);
+    if (!glance.promising() || glance.asymmetry >= least) continue;
+    best = foreshortened;
+    least = glance.asymmetry;
+  }
+  return best;
+}
+
+bool ChordFinder::Glance::promising() const {
+  return contrast >= kLeastContrast && asymmetry <= kGlanceAsymmetry;
+}
+
+ChordFinder::Glance ChordFinder::glance(const Line& line, const Pair& pair) {
   float darkest = 255, brightest = 0, apart = 0;
   for (int i = 0; i < kGlances; ++i) {
-    const float off = (static_cast<float>(i) + 0.625F) * kGlanceStep * pair.half;
-    const float a = value_at(line, pair.middle - off), b = value_at(line, pair.middle + off);
+    const float u = (static_cast<float>(i) + 0.625F) * kGlanceStep;
+    const float a = value_at(line, pair.at(-u)), b = value_at(line, pair.at(u));
     apart += std::abs(a - b);
     darkest = std::min({darkest, a, b});
     brightest = std::max({brightest, a, b});
   }
   const float contrast = brightest - darkest;
-  return contrast >= kLeastContrast && apart <= kGlances * kGlanceAsymmetry * contrast;
+  return {contrast, apart / (kGlances * (contrast + 1e-3F))};
 }
 
 /// Makes fold_ of a pair: mean 0, square sum 1. False where it cannot be a marker's.
 bool ChordFinder::folded(const Line& line, const Pair& pair) {
   float sum = 0, odd = 0;
   for (std::size_t i = 0; i < kFoldSamples; ++i) {
-    const float off = (static_cast<float>(i) + 0.5F) * kFoldStep * pair.half;
-    const float a = value_at(line, pair.middle - off), b = value_at(line, pair.middle + off);
+    const float u = (static_cast<float>(i) + 0.5F) * kFoldStep;
+    const float a = value_at(line, pair.at(-u)), b = value_at(line, pair.at(u));
     fold_[i] = (a + b) / 2;
     sum += fold_[i];
     odd += (a - b) * (a - b) / 4;
@@ -131,7 +159,7 @@ void ChordFinder::match(const Line& line, const Pair& pair, const ChordSearch& s
   const double step_px = norm(line.step);
   const double scale = std::ldexp(1.0, static_cast<int>(search.level));
   Chord chord;
-  chord.middle = in_full_picture(line.at(pair.middle), search.level);
+  chord.middle = in_full_picture(line.at(pair.at(0)), search.level);
   chord.along = (1 / step_px) * line.step;
   chord.radius_px = pair.half * step_px * scale / shape.edge;
   chord.code = shape.code;

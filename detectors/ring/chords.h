@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "detectors/ring/candidates.h"
@@ -34,20 +35,35 @@ class ChordFinder {
     float begin, end;  // steps
     float rise, fall;  // grey levels over two steps, both positive
   };
-  /// What the middle and half-length of two bars would be.
+  /// Where the marker would be whose outermost ring two bars are.
   struct Pair {
-    float middle, half;  // steps
+    float middle, half;  // steps: midway between its ends, and from there to each
+    float foreshortening = 0;
+
+    /// A point `u` half-lengths from the marker's middle, as the line shows it, steps.
+    float at(float u) const {
+      return middle +
+             half * (foreshortening + (1 - foreshortening * foreshortening) * u / (1 + foreshortening * u));
+    }
+  };
+  /// How a pair looks through a few points.
+  struct Glance {
+    float contrast, asymmetry;  // grey levels; the mean difference of the two sides over the contrast
+    bool promising() const;
   };
 
   void find_bars(const Edges& edges);
   bool could_be_one_ring(const Bar& left, const Bar& right, float half) const;
-  static bool symmetric_at_a_glance(const Line& line, const Pair& pair);
+  /// The two bars' pair if it is symmetric, foreshortened as their widths say.
+  std::optional<Pair> symmetric_pair(const Line& line, const Bar& left, const Bar& right) const;
+  static Glance glance(const Line& line, const Pair& pair);
   bool folded(const Line& line, const Pair& pair);
   void match(const Line& line, const Pair& pair, const ChordSearch& search, std::vector<Chord>& chords);
 
   ChordTemplates templates_;
   double least_likeness_;
   float narrowest_, widest_;  // of an outermost bar, parts of the half-length
+  float bar_middle_;          // of the outermost ring
   std::size_t bar_sample_;    // of a fold, in the middle of the outermost ring
   EdgeFinder edge_finder_;
   std::vector<Bar> bars_;

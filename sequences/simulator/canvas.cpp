@@ -12,17 +12,13 @@
 #include "core/display_coding.h"
 #include "core/error.h"
 #include "core/random.h"
-#include "sequences/open.h"
-#include "sequences/simulator/draft.h"
+#include "sequences/simulator/album.h"
 #include "sequences/simulator/sensor_noise.h"
-#include "sequences/simulator/transport.h"
+#include "sequences/simulator/sheet.h"
 
 namespace relock::simulator {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr double kRate_hz = 30;
 constexpr std::uint64_t kPlaceKey = 1, kNoiseKey = 2;
 
 /// Length and direction of the blur of a picture.
@@ -123,23 +119,6 @@ TargetTruth truth_of(const CanvasPlan& plan, const PrintedTarget& target, Vec2 c
 
 [[noreturn]] void refuse(std::string_view what) { throw Error(fmt::format("a canvas {}", what)); }
 
-void check_target(const PrintedTarget& target) {
-  if (target.picture.type() != CV_8UC1 || target.picture.empty() ||
-      target.picture.rows != target.picture.cols)
-    refuse(fmt::format("needs the sheet of {} as a square picture of grey levels", target.name));
-  if (!(target.size_m > 0 && target.sheet_m >= target.size_m))
-    refuse(fmt::format("needs a sheet of {} that is no smaller than the target on it", target.name));
-}
-
-Recording recording_of(const CanvasPlan& plan, const PrintedTarget& target, const std::string& name) {
-  Recording recording;
-  recording.name = name;
-  recording.picture = {plan.canvas_px, plan.canvas_px};
-  recording.period = period_of(kRate_hz);
-  recording.targets = {{target.name, target.code, target.size_m}};
-  return recording;
-}
-
 }  // namespace
 
 void check_canvas(const CanvasPlan& plan) {
@@ -180,26 +159,19 @@ CanvasPicture canvas_picture(const CanvasPlan& plan, const PrintedTarget& target
   return made;
 }
 
-void write_canvas(const fs::path& folder, const CanvasPlan& plan, const PrintedTarget& target,
+void write_canvas(const std::filesystem::path& folder, const CanvasPlan& plan, const PrintedTarget& target,
                   std::uint64_t seed, const std::string& plan_text) {
   check_canvas(plan);
-  check_target(target);
-  Draft draft(folder);
-  make_folder(draft.path() / "images");
-  Recording recording = recording_of(plan, target, folder_name(folder));
-  std::vector<std::uint8_t> bytes;
-  for (std::size_t rank = 0; rank < canvas_pictures(plan); ++rank) {
-    const CanvasPicture made = canvas_picture(plan, target, rank, seed);
-    encode_picture(made.pixels, {.jpeg_quality = 0}, bytes);
-    write_bytes(draft.path() / "images" / fmt::format("{:06}.png", rank), bytes);
-    recording.captured.push_back(Time{from_seconds(static_cast<double>(rank) / kRate_hz)});
-    recording.truth.push_back(made.truth);
-  }
-  write_truth(draft.path(), recording);
-  if (!plan_text.empty())
-    write_bytes(draft.path() / "canvas.toml",
-                {reinterpret_cast<const std::uint8_t*>(plan_text.data()), plan_text.size()});
-  draft.put_in_place();
+  check_sheet(target);
+  write_album(folder, {.picture = {plan.canvas_px, plan.canvas_px},
+                       .targets = {{target.name, target.code, target.size_m}},
+                       .pages = canvas_pictures(plan),
+                       .page = [&](std::size_t rank) -> AlbumPage {
+                         const CanvasPicture made = canvas_picture(plan, target, rank, seed);
+                         return {made.pixels, {made.truth}};
+                       },
+                       .plan_name = "canvas.toml",
+                       .plan_text = plan_text});
 }
 
 }  // namespace relock::simulator

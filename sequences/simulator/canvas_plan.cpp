@@ -6,21 +6,6 @@
 #include "sequences/description.h"
 
 namespace relock::simulator {
-namespace {
-
-std::vector<double> numbers(const TomlTable& table, std::string_view key, std::vector<double> otherwise) {
-  const auto nodes = table.list(key);
-  if (nodes.empty()) return otherwise;
-  std::vector<double> values;
-  for (const toml::node* node : nodes) {
-    const auto value = node->value<double>();
-    if (!value) table.fail(*node, fmt::format("{} must be numbers", key));
-    values.push_back(*value);
-  }
-  return values;
-}
-
-}  // namespace
 
 bool is_canvas_file(const std::filesystem::path& file) {
   return parse_toml(file)["preset"].value_or(std::string()) == "canvas";
@@ -39,8 +24,8 @@ CanvasFile read_canvas_file(const std::filesystem::path& file) {
   if (seed) canvas.seed = static_cast<std::uint64_t>(*seed);
   plan.canvas_px = table.value<int>("canvas_px", "a whole number").value_or(plan.canvas_px);
   plan.marker_px = table.positive("marker_px").value_or(plan.marker_px);
-  plan.lengths_px = numbers(table, "lengths_px", plan.lengths_px);
-  plan.angles_deg = numbers(table, "angles_deg", plan.angles_deg);
+  plan.lengths_px = table.numbers("lengths_px", plan.lengths_px);
+  plan.angles_deg = table.numbers("angles_deg", plan.angles_deg);
   plan.repetitions = table.value<int>("repetitions", "a whole number").value_or(plan.repetitions);
   plan.noise = table.value<double>("noise", "a number").value_or(plan.noise);
   plan.grey = table.value<double>("grey", "a number").value_or(plan.grey);

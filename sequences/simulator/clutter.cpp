@@ -115,13 +115,26 @@ void landscape(Canvas& canvas, Random& random) {
     }
 }
 
+Canvas paper(const cv::Size2d& size, double texels_per_m, Random& random) {
+  Canvas canvas({0, 0, size.width, size.height}, texels_per_m);
+  canvas.picture.setTo(random.chance(0.75) ? paint(0.84, 0.84, 0.82) : paint(0.78, 0.7, 0.45));
+  return canvas;
+}
+
+constexpr std::array kPrints = {circles, target,       blinds,  grid,
+                                text,    checkerboard, crosses, landscape};  // as of Print
+
 }  // namespace
 
 Canvas poster(const cv::Size2d& size, double texels_per_m, Random random) {
-  Canvas canvas({0, 0, size.width, size.height}, texels_per_m);
-  canvas.picture.setTo(random.chance(0.75) ? paint(0.84, 0.84, 0.82) : paint(0.78, 0.7, 0.45));
-  constexpr std::array kinds = {circles, target, blinds, grid, text, checkerboard, crosses, landscape};
-  kinds[random.below(kinds.size())](canvas, random);
+  Canvas canvas = paper(size, texels_per_m, random);
+  kPrints[random.below(kPrints.size())](canvas, random);
+  return canvas;
+}
+
+Canvas poster(Print print, const cv::Size2d& size, double texels_per_m, Random random) {
+  Canvas canvas = paper(size, texels_per_m, random);
+  kPrints[static_cast<std::size_t>(print)](canvas, random);
   return canvas;
 }
 

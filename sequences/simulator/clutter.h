@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
@@ -11,6 +12,12 @@ namespace relock::simulator {
 /// A printed sheet of `size` (m) with something on it that is hard for detectors of fiducials: circles, targets,
 /// blinds, grids, text, checkerboards, crosses; or a picture of a landscape.
 Canvas poster(const cv::Size2d& size, double texels_per_m, Random random);
+
+/// What is printed on a poster.
+enum class Print : std::uint8_t { circles, target, blinds, grid, text, checkerboard, crosses, landscape };
+
+/// A poster of that kind.
+Canvas poster(Print print, const cv::Size2d& size, double texels_per_m, Random random);
 
 /// A sheet that hangs somewhere, perhaps a little askew.
 struct Hanging {

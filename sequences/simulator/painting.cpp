@@ -31,6 +31,8 @@ Canvas::Canvas(const cv::Rect2d& area_, double texels_per_m)
       picture(whole(area_.height * texels_per_m), whole(area_.width * texels_per_m), CV_8UC3, cv::Scalar(0)) {
 }
 
+Canvas::Canvas(const cv::Rect2d& area_, const cv::Mat& picture_) : area(area_), picture(picture_) {}
+
 cv::Point2d Canvas::pixel(const cv::Point2d& place) const {
   return {(place.x - area.x) * picture.cols / area.width - 0.5,
           (place.y - area.y) * picture.rows / area.height - 0.5};
@@ -55,6 +57,15 @@ void Canvas::circle(const cv::Point2d& middle, double radius, double width, cons
   const int fine_radius = static_cast<int>(std::lround(radius * texels_per_m() * (1 << kShift)));
   cv::circle(picture, fine(pixel(middle)), fine_radius, colour, whole(width * texels_per_m()), cv::LINE_AA,
              kShift);
+}
+
+void Canvas::ellipse(const cv::Point2d& middle, const cv::Size2d& half, double turn,
+                     const cv::Scalar& colour) {
+  const double scale = texels_per_m() * (1 << kShift);
+  const cv::Size axes(static_cast<int>(std::lround(half.width * scale)),
+                      static_cast<int>(std::lround(half.height * scale)));
+  cv::ellipse(picture, fine(pixel(middle)), axes, turn * 180 / M_PI, 0, 360, colour, cv::FILLED, cv::LINE_AA,
+              kShift);
 }
 
 void Canvas::line(const cv::Point2d& from, const cv::Point2d& to, double width, const cv::Scalar& colour) {

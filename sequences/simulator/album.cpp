@@ -1,0 +1,40 @@
+#include "sequences/simulator/album.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+
+#include "core/recording.h"
+#include "sequences/open.h"
+#include "sequences/simulator/draft.h"
+#include "sequences/simulator/transport.h"
+
+namespace relock::simulator {
+
+namespace fs = std::filesystem;
+
+void write_album(const fs::path& folder, const Album& album) {
+  constexpr double kRate_hz = 30;
+  Draft draft(folder);
+  make_folder(draft.path() / "images");
+  Recording recording;
+  recording.name = folder_name(folder);
+  recording.picture = album.picture;
+  recording.period = period_of(kRate_hz);
+  recording.targets = album.targets;
+  std::vector<std::uint8_t> bytes;
+  for (std::size_t rank = 0; rank < album.pages; ++rank) {
+    const AlbumPage page = album.page(rank);
+    encode_picture(page.pixels, {.jpeg_quality = 0}, bytes);
+    write_bytes(draft.path() / "images" / fmt::format("{:06}.png", rank), bytes);
+    recording.captured.push_back(Time{from_seconds(static_cast<double>(rank) / kRate_hz)});
+    recording.truth.insert(recording.truth.end(), page.truth.begin(), page.truth.end());
+  }
+  write_truth(draft.path(), recording);
+  if (!album.plan_text.empty())
+    write_bytes(draft.path() / album.plan_name,
+                {reinterpret_cast<const std::uint8_t*>(album.plan_text.data()), album.plan_text.size()});
+  draft.put_in_place();
+}
+
+}  // namespace relock::simulator
