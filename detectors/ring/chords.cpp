@@ -1,9 +1,11 @@
 #include "detectors/ring/chords.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "detectors/ring/pyramid.h"
+#include "detectors/ring/vector_clones.h"
 
 namespace relock::ring {
 namespace {
@@ -15,17 +17,54 @@ constexpr float kAsymmetry = 0.22F;                      // energy of the odd pa
 constexpr float kBarOverQuiet = 0.3F, kQuietOverDarkest = 0.4F;  // of the contrast
 constexpr float kLeastVariance = 60;                             // grey levels squared, of a fold
 
+constexpr float kNoMoreAsymmetry = 0.05F;  // no foreshortening could make it much less
+constexpr float kQuietWidth = 0.13F;       // where the first look takes it to be dark
 constexpr float kLeastForeshortening = 0.03F, kMostForeshortening = 0.25F;
 constexpr float kEnd = static_cast<float>(kReach);
-constexpr int kGlances = 8;
-constexpr float kGlanceStep = static_cast<float>(kReach) / kGlances;
-constexpr float kFoldStep = static_cast<float>(kReach) / kFoldSamples;
+constexpr std::size_t kGlances = 8;
 
 float value_at(const Line& line, float step) {
   const int left = static_cast<int>(step);
   const float a = line.values[left], b = line.values[left + 1];
   return a + (step - static_cast<float>(left)) * (b - a);
 }
+
+/// Values at middle + half u / (1 + v u), for -u on the left and u on the right.
+RELOCK_VECTOR_CLONES void read_both_sides(const std::uint8_t* __restrict values, float middle, float half,
+                                          float v, const float* __restrict u, std::size_t count,
+                                          float* __restrict left, float* __restrict right) {
+  std::array<float, 2 * kFoldSamples> part;
+  std::array<std::int32_t, 2 * kFoldSamples> place;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float to_left = middle - half * u[i] / (1 - v * u[i]),
+                to_right = middle + half * u[i] / (1 + v * u[i]);
+    place[i] = static_cast<std::int32_t>(to_left);
+    part[i] = to_left - static_cast<float>(place[i]);
+    place[kFoldSamples + i] = static_cast<std::int32_t>(to_right);
+    part[kFoldSamples + i] = to_right - static_cast<float>(place[kFoldSamples + i]);
+  }
+  std::array<std::int32_t, 2 * kFoldSamples> near, far;
+  for (std::size_t i = 0; i < count; ++i) {
+    near[i] = values[place[i]];
+    far[i] = values[place[i] + 1];
+    near[kFoldSamples + i] = values[place[kFoldSamples + i]];
+    far[kFoldSamples + i] = values[place[kFoldSamples + i] + 1];
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    left[i] = static_cast<float>(near[i]) + part[i] * static_cast<float>(far[i] - near[i]);
+    const std::size_t j = kFoldSamples + i;
+    right[i] = static_cast<float>(near[j]) + part[j] * static_cast<float>(far[j] - near[j]);
+  }
+}
+
+template <std::size_t n>
+constexpr std::array<float, n> evenly_up_to(float end) {
+  std::array<float, n> all{};
+  for (std::size_t i = 0; i < n; ++i) all[i] = (static_cast<float>(i) + 0.5F) * end / static_cast<float>(n);
+  return all;
+}
+constexpr auto kGlanceAt = evenly_up_to<kGlances>(kEnd);
+constexpr auto kFoldAt = evenly_up_to<kFoldSamples>(kEnd);
 
 }  // namespace
 
@@ -83,38 +122,58 @@ bool ChordFinder::could_be_one_ring(const Bar& left, const Bar& right, float hal
          left.fall < kStrengthRatio * right.rise && right.rise < kStrengthRatio * left.fall;
 }
 
+bool ChordFinder::within(const Line& line, const Pair& pair) {
+  const float left = kEnd / (1 - pair.foreshortening * kEnd), right = kEnd / (1 + pair.foreshortening * kEnd);
+  return pair.centre() - pair.scale() * left >= 0 &&
+         pair.centre() + pair.scale() * right < static_cast<float>(line.steps - 1);
+}
+
+template <std::size_t n>
+void ChordFinder::read(const Line& line, const Pair& pair, const std::array<float, n>& at) {
+  read_both_sides(line.values, pair.centre(), pair.scale(), pair.foreshortening, at.data(), n,
+                  sides_.left.data(), sides_.right.data());
+}
+
 /// Of a tilted marker the nearer half is longer. A straight line through its middle is then mapped by u/(1 + v u):
 /// lengths at u by 1/(1 + v u)^2, which makes the two bars unequally wide. Their widths are not exact: half that v and
 /// none are tried, too.
 std::optional<ChordFinder::Pair> ChordFinder::symmetric_pair(const Line& line, const Bar& left,
-                                                             const Bar& right) const {
+                                                             const Bar& right) {
   const Pair pair{(left.begin + right.end) / 2, (right.end - left.begin) / 2};
+  if (!within(line, pair) || !bright_bars_in_the_dark(line, left, right)) return {};
   const float ratio = std::sqrt((left.end - left.begin) / (right.end - right.begin));
   const float v =
       std::clamp((ratio - 1) / (ratio + 1) / bar_middle_, -kMostForeshortening, kMostForeshortening);
   std::optional<Pair> best;
-  float least = 1;
+  float least = kGlanceAsymmetry;
   for (const float part : {0.0F, 0.5F, 1.0F}) {
-    if (part > 0 && std::abs(v) < kLeastForeshortening) break;
+    if (part > 0 && (std::abs(v) < kLeastForeshortening || least < kNoMoreAsymmetry)) break;
     const Pair foreshortened{pair.middle, pair.half, part * v};
-    if (foreshortened.at(-kEnd) < 0 || foreshortened.at(kEnd) >= static_cast<float>(line.steps - 1)) continue;
-    const Glance glance = ChordFinder::glance(line, foreshortened);
-    if (!glance.promising() || glance.asymmetry >= least) continue;
+    if (!within(line, foreshortened)) continue;
+    const Glance seen = glance(line, foreshortened);
+    if (seen.contrast < kLeastContrast || seen.asymmetry > least) continue;
     best = foreshortened;
-    least = glance.asymmetry;
+    least = seen.asymmetry;
   }
   return best;
 }
 
-bool ChordFinder::Glance::promising() const {
-  return contrast >= kLeastContrast && asymmetry <= kGlanceAsymmetry;
+/// The first look: two samples on each side.
+bool ChordFinder::bright_bars_in_the_dark(const Line& line, const Bar& left, const Bar& right) const {
+  const float half = (right.end - left.begin) / 2, most = (1 - bar_middle_) * half,
+              quiet = kQuietWidth * half;
+  const float a = left.begin + std::min((left.end - left.begin) / 2, most);
+  const float b = right.end - std::min((right.end - right.begin) / 2, most);
+  return std::min(value_at(line, a), value_at(line, b)) -
+             std::max(value_at(line, left.begin - quiet), value_at(line, right.end + quiet)) >
+         kBarOverQuiet * kLeastContrast;
 }
 
 ChordFinder::Glance ChordFinder::glance(const Line& line, const Pair& pair) {
+  read(line, pair, kGlanceAt);
   float darkest = 255, brightest = 0, apart = 0;
-  for (int i = 0; i < kGlances; ++i) {
-    const float u = (static_cast<float>(i) + 0.625F) * kGlanceStep;
-    const float a = value_at(line, pair.at(-u)), b = value_at(line, pair.at(u));
+  for (std::size_t i = 0; i < kGlances; ++i) {
+    const float a = sides_.left[i], b = sides_.right[i];
     apart += std::abs(a - b);
     darkest = std::min({darkest, a, b});
     brightest = std::max({brightest, a, b});
@@ -125,10 +184,10 @@ ChordFinder::Glance ChordFinder::glance(const Line& line, const Pair& pair) {
 
 /// Makes fold_ of a pair: mean 0, square sum 1. False where it cannot be a marker's.
 bool ChordFinder::folded(const Line& line, const Pair& pair) {
+  read(line, pair, kFoldAt);
   float sum = 0, odd = 0;
   for (std::size_t i = 0; i < kFoldSamples; ++i) {
-    const float u = (static_cast<float>(i) + 0.5F) * kFoldStep;
-    const float a = value_at(line, pair.at(-u)), b = value_at(line, pair.at(u));
+    const float a = sides_.left[i], b = sides_.right[i];
     fold_[i] = (a + b) / 2;
     sum += fold_[i];
     odd += (a - b) * (a - b) / 4;
@@ -159,7 +218,7 @@ void ChordFinder::match(const Line& line, const Pair& pair, const ChordSearch& s
   const double step_px = norm(line.step);
   const double scale = std::ldexp(1.0, static_cast<int>(search.level));
   Chord chord;
-  chord.middle = in_full_picture(line.at(pair.at(0)), search.level);
+  chord.middle = in_full_picture(line.at(pair.centre()), search.level);
   chord.along = (1 / step_px) * line.step;
   chord.radius_px = pair.half * step_px * scale / shape.edge;
   chord.code = shape.code;

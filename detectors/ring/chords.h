@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -39,24 +40,31 @@ class ChordFinder {
   struct Pair {
     float middle, half;  // steps: midway between its ends, and from there to each
     float foreshortening = 0;
-
-    /// A point `u` half-lengths from the marker's middle, as the line shows it, steps.
-    float at(float u) const {
-      return middle +
-             half * (foreshortening + (1 - foreshortening * foreshortening) * u / (1 + foreshortening * u));
-    }
+    /// The marker's middle.
+    float centre() const { return middle + half * foreshortening; }
+    /// Half the length that it would have without foreshortening.
+    float scale() const { return half * (1 - foreshortening * foreshortening); }
   };
   /// How a pair looks through a few points.
   struct Glance {
     float contrast, asymmetry;  // grey levels; the mean difference of the two sides over the contrast
-    bool promising() const;
+  };
+  /// Both sides of a pair, from its middle outwards.
+  struct Sides {
+    std::array<float, kFoldSamples> left, right;
   };
 
   void find_bars(const Edges& edges);
   bool could_be_one_ring(const Bar& left, const Bar& right, float half) const;
   /// The two bars' pair if it is symmetric, foreshortened as their widths say.
-  std::optional<Pair> symmetric_pair(const Line& line, const Bar& left, const Bar& right) const;
-  static Glance glance(const Line& line, const Pair& pair);
+  std::optional<Pair> symmetric_pair(const Line& line, const Bar& left, const Bar& right);
+  bool bright_bars_in_the_dark(const Line& line, const Bar& left, const Bar& right) const;
+  Glance glance(const Line& line, const Pair& pair);
+  /// Whether all that a fold needs is on the line.
+  static bool within(const Line& line, const Pair& pair);
+  /// The line's values at so many half-lengths from the pair's middle.
+  template <std::size_t n>
+  void read(const Line& line, const Pair& pair, const std::array<float, n>& at);
   bool folded(const Line& line, const Pair& pair);
   void match(const Line& line, const Pair& pair, const ChordSearch& search, std::vector<Chord>& chords);
 
@@ -67,6 +75,7 @@ class ChordFinder {
   std::size_t bar_sample_;    // of a fold, in the middle of the outermost ring
   EdgeFinder edge_finder_;
   std::vector<Bar> bars_;
+  Sides sides_{};
   Fold fold_{};
 };
 
