@@ -15,7 +15,7 @@ constexpr std::size_t kMostCandidates = 300;  // of a picture
 constexpr double kApart = 0.25;               // radii between the middles of chords of one marker
 constexpr double kSlack_px = 2;
 constexpr double kForeshortening = 4.5;  // between the radii of one marker in different directions
-constexpr double kAlongBlur = 0.35;      // of the blur, beyond kApart
+constexpr double kAlongBlur = 0.7;       // of the blur, beyond kApart: the best chord may be at one end of it
 constexpr double kAlmostAsLike = 0.03;
 constexpr double kSameRadius = 1.25;
 

@@ -78,6 +78,15 @@ ChordFinder::ChordFinder(const RingGeometry& geometry, double most_blur, double 
   bar_sample_ = static_cast<std::size_t>((outermost.inner + outermost.outer) / 2 / kReach * kFoldSamples);
 }
 
+inline bool ChordFinder::could_be_one_ring(const Bar& left, const Bar& right, float half) const {
+  const float a = left.width(), b = right.width();
+  // One decision instead of many: which of them fails cannot be foretold.
+  return (b >= narrowest_ * half - 0.7F) & (b <= widest_ * half + 1) & (a <= kWidthRatio * b + 0.8F) &
+         (b <= kWidthRatio * a + 0.8F) & (left.rise < kStrengthRatio * right.fall) &
+         (right.fall < kStrengthRatio * left.rise) & (left.fall < kStrengthRatio * right.rise) &
+         (right.rise < kStrengthRatio * left.fall);
+}
+
 void ChordFinder::find(const LineScan& scan, const ChordSearch& search, std::vector<Chord>& chords) {
   for (std::size_t rank = 0; rank < scan.size(); ++rank) {
     const Line line = scan[rank];
@@ -87,14 +96,19 @@ void ChordFinder::find(const LineScan& scan, const ChordSearch& search, std::vec
     const auto step_px = static_cast<float>(norm(line.step));
     const float least = static_cast<float>(search.least_radius_px) / step_px;
     const float most = static_cast<float>(search.most_radius_px) / step_px;
-    for (std::size_t i = 0; i < bars_.size(); ++i)
+    for (std::size_t i = 0; i < bars_.size(); ++i) {
+      // A bar's own width says how large its marker can be.
+      const float width = bars_[i].width();
+      const float nearest = std::max(least, (width - 1) / widest_);
+      const float farthest = std::min(most, (width + 0.7F) / narrowest_);
       for (std::size_t j = i + 1; j < bars_.size(); ++j) {
         const float half = (bars_[j].end - bars_[i].begin) / 2;
-        if (half > most) break;
-        if (half < least || !could_be_one_ring(bars_[i], bars_[j], half)) continue;
+        if (half > farthest) break;
+        if (half < nearest || !could_be_one_ring(bars_[i], bars_[j], half)) continue;
         const auto pair = symmetric_pair(line, bars_[i], bars_[j]);
         if (pair && folded(line, *pair)) match(line, *pair, search, chords);
       }
+    }
   }
 }
 
@@ -102,24 +116,11 @@ void ChordFinder::find(const LineScan& scan, const ChordSearch& search, std::vec
 void ChordFinder::find_bars(const Edges& edges) {
   bars_.clear();
   const std::size_t n = edges.size();
-  const auto add = [&](std::size_t up, std::size_t down) {
-    bars_.push_back({edges.at[up], edges.at[down], edges.rise[up], -edges.rise[down]});
-  };
   for (std::size_t i = 0; i + 1 < n; ++i) {
     if (edges.rise[i] < 0) continue;
-    const bool falls = edges.rise[i + 1] < 0, then_falls = i + 2 < n && edges.rise[i + 2] < 0;
-    if (falls) add(i, i + 1);
-    if (then_falls) add(i, i + 2);
+    for (std::size_t j = i + 1; j < std::min(i + 3, n); ++j)
+      if (edges.rise[j] < 0) bars_.push_back({edges.at[i], edges.at[j], edges.rise[i], -edges.rise[j]});
   }
-}
-
-bool ChordFinder::could_be_one_ring(const Bar& left, const Bar& right, float half) const {
-  const float a = left.end - left.begin, b = right.end - right.begin;
-  const float narrowest = narrowest_ * half - 0.7F, widest = widest_ * half + 1;
-  if (a < narrowest || a > widest || b < narrowest || b > widest) return false;
-  if (a > kWidthRatio * b + 0.8F || b > kWidthRatio * a + 0.8F) return false;
-  return left.rise < kStrengthRatio * right.fall && right.fall < kStrengthRatio * left.rise &&
-         left.fall < kStrengthRatio * right.rise && right.rise < kStrengthRatio * left.fall;
 }
 
 bool ChordFinder::within(const Line& line, const Pair& pair) {

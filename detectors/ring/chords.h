@@ -35,6 +35,7 @@ class ChordFinder {
   struct Bar {
     float begin, end;  // steps
     float rise, fall;  // grey levels over two steps, both positive
+    float width() const { return end - begin; }
   };
   /// Where the marker would be whose outermost ring two bars are.
   struct Pair {
