@@ -69,7 +69,7 @@ struct Radius {
   int chords;
   /// The inner rings of a marker can look like a smaller marker: of equals the larger one is meant.
   double score() const {
-    return best->likeness + 0.015 * std::log2(chords + 1.0) + 0.03 * std::log(best->radius_px);
+    return best->likeness + 0.015 * std::log2(chords + 1.0) + 0.05 * std::log(best->radius_px);
   }
 };
 

@@ -165,9 +165,10 @@ bool ChordFinder::bright_bars_in_the_dark(const Line& line, const Bar& left, con
               quiet = kQuietWidth * half;
   const float a = left.begin + std::min((left.end - left.begin) / 2, most);
   const float b = right.end - std::min((right.end - right.begin) / 2, most);
-  return std::min(value_at(line, a), value_at(line, b)) -
-             std::max(value_at(line, left.begin - quiet), value_at(line, right.end + quiet)) >
-         kBarOverQuiet * kLeastContrast;
+  // Their sums: past one end there may be more light than past the other.
+  return value_at(line, a) + value_at(line, b) - value_at(line, left.begin - quiet) -
+             value_at(line, right.end + quiet) >
+         2 * kBarOverQuiet * kLeastContrast;
 }
 
 ChordFinder::Glance ChordFinder::glance(const Line& line, const Pair& pair) {
