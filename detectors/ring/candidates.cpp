@@ -16,6 +16,7 @@ constexpr double kApart = 0.25;               // radii between the middles of ch
 constexpr double kSlack_px = 2;
 constexpr double kForeshortening = 4.5;  // between the radii of one marker in different directions
 constexpr double kAlongBlur = 0.7;       // of the blur, beyond kApart: the best chord may be at one end of it
+constexpr double kBlurred = 0.3;         // radii: shorter blurs leave the best chord near the middle
 constexpr double kAlmostAsLike = 0.03;
 constexpr double kSameRadius = 1.25;
 
@@ -43,6 +44,7 @@ bool agree(const Chord& best, const Chord& other) {
 
 /// Of chords alike but for where along the blur they are, the one in the middle: they lie evenly about the marker's.
 const Chord& in_the_middle(const Chord& best, const std::vector<Chord>& chords) {
+  if (best.blur < kBlurred) return best;
   const auto alike = [&](const Chord& chord) {
     return chord.direction == best.direction && chord.code == best.code &&
            chord.likeness > best.likeness - kAlmostAsLike && chord.radius_px < 1.1 * best.radius_px &&
