@@ -63,7 +63,7 @@ double radius_along(const Ellipse& ellipse, Vec2 direction) {
 }
 
 /// A fit comes home from there: within a third of the radius, of about the right size.
-bool is_it(const Candidate& candidate, const Ellipse& truth) {
+bool is_it(const ring::Candidate& candidate, const Ellipse& truth) {
   const double radius = radius_along(truth, candidate.best.along);
   return norm(candidate.best.middle - truth.centre) < 0.3 * truth.semi_major &&
          candidate.best.radius_px > 0.75 * radius && candidate.best.radius_px < 1.3 * radius;
@@ -138,15 +138,15 @@ void measure(const Setting& setting, std::size_t count, std::uint64_t seed) {
     const auto& truth = still.targets[*still.shown];
     const auto& ellipse = std::get<Ellipse>(*truth.outline);
     const auto place = std::find_if(found.begin(), found.end(),
-                                    [&](const Candidate& candidate) { return is_it(candidate, ellipse); });
+                                    [&](const ring::Candidate& candidate) { return is_it(candidate, ellipse); });
     ++at_rank[place == found.end()
                   ? 4U
                   : std::min<std::size_t>(3, static_cast<std::size_t>(place - found.begin()))];
   }
-  const double all = static_cast<double>(count) / 100;
+  const double all = static_cast<double>(count) / 100.0;
   fmt::print("{:30} {:6.1f} {:6.1f} {:6.1f} {:6.1f} {:6.1f}   {:5.2f} {:5.2f} {:6.2f} {:6.2f} {:5.2f}\n",
              setting.name, at_rank[0] / all, (at_rank[0] + at_rank[1]) / all,
-             (count - static_cast<std::size_t>(at_rank[3] + at_rank[4])) / all, at_rank[3] / all,
+             (at_rank[0] + at_rank[1] + at_rank[2]) / all, at_rank[3] / all,
              at_rank[4] / all, median(building), median(scanning), median(finding), median(aruco),
              (median(building) + median(finding)) / median(aruco));
 }
