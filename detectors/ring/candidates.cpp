@@ -18,6 +18,7 @@ constexpr double kForeshortening = 4.5;  // between the radii of one marker in d
 constexpr double kAlongBlur = 0.7;       // of the blur, beyond kApart: the best chord may be at one end of it
 constexpr double kBlurred = 0.3;         // radii: shorter blurs leave the best chord near the middle
 constexpr double kAlmostAsLike = 0.03;
+constexpr double kRadiusOfManyChords_px = 40, kSmall_px = 17;
 constexpr double kSameRadius = 1.25;
 
 /// Total order, so that the answer does not depend on the sorting.
@@ -137,8 +138,12 @@ void CandidateGrouper::rank(Candidate& candidate) const {
     if (chord.code == candidate.best.code && chord.likeness > 0.88)
       seen.set(static_cast<std::size_t>(chord.direction));
   candidate.directions = static_cast<int>(seen.count());
-  const double many = std::min(5.0, std::log2(static_cast<double>(candidate.chords.size()) + 1));
-  candidate.score = like.likeness + 0.02 * many + 0.01 * candidate.directions;
+  // Of a small marker fewer lines see anything, and in two directions only (finder.cpp): that is not held against it.
+  const double radius = like.radius_px;
+  const double expected = std::clamp(radius / kRadiusOfManyChords_px, 0.25, 1.0);
+  const double many = std::min(5.0, std::log2(static_cast<double>(candidate.chords.size()) / expected + 1));
+  const double directions = candidate.directions * (radius < kSmall_px ? 3 : 1);
+  candidate.score = like.likeness + 0.02 * many + 0.01 * directions;
 }
 
 }  // namespace relock::ring
