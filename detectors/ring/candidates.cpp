@@ -95,6 +95,16 @@ const Chord& of_the_most_convincing_radius(const std::vector<Chord>& chords) {
           })->best;
 }
 
+/// Likeness first. Profiles of long blurs have little of their own: much clutter is like one of them. Of a small marker
+/// fewer lines see anything, and in two directions only (finder.cpp), which is not held against it.
+double score(const Chord& like, const Candidate& candidate) {
+  const double expected = std::clamp(like.radius_px / kRadiusOfManyChords_px, 0.25, 1.0);
+  const double many = std::log2(static_cast<double>(candidate.chords.size()) / expected + 1);
+  const double directions = candidate.directions * (like.radius_px < kSmall_px ? 5 : 1);
+  return like.likeness + 0.015 * std::min(5.0, many) + 0.003 * directions -
+         0.05 * std::max(0.0, like.blur - 1);
+}
+
 }  // namespace
 
 const std::vector<Candidate>& CandidateGrouper::group(std::vector<Chord>& chords) {
@@ -138,12 +148,7 @@ void CandidateGrouper::rank(Candidate& candidate) const {
     if (chord.code == candidate.best.code && chord.likeness > 0.88)
       seen.set(static_cast<std::size_t>(chord.direction));
   candidate.directions = static_cast<int>(seen.count());
-  // Of a small marker fewer lines see anything, and in two directions only (finder.cpp): that is not held against it.
-  const double radius = like.radius_px;
-  const double expected = std::clamp(radius / kRadiusOfManyChords_px, 0.25, 1.0);
-  const double many = std::min(5.0, std::log2(static_cast<double>(candidate.chords.size()) / expected + 1));
-  const double directions = candidate.directions * (radius < kSmall_px ? 3 : 1);
-  candidate.score = like.likeness + 0.02 * many + 0.01 * directions;
+  candidate.score = score(like, candidate);
 }
 
 }  // namespace relock::ring
