@@ -18,10 +18,14 @@ constexpr float kBarOverQuiet = 0.3F, kQuietOverDarkest = 0.4F;  // of the contr
 constexpr float kLeastVariance = 60;                             // grey levels squared, of a fold
 
 constexpr float kNoMoreAsymmetry = 0.05F;  // no foreshortening could make it much less
+constexpr float kInside = 1.06F;           // must be on the line; beyond its ends, its last values go on
 constexpr float kQuietWidth = 0.13F;       // where the first look takes it to be dark
 constexpr float kLeastForeshortening = 0.03F, kMostForeshortening = 0.25F;
 constexpr float kEnd = static_cast<float>(kReach);
 constexpr std::size_t kGlances = 8;
+
+/// Up to which there is a next value to interpolate with.
+float last_place(const Line& line) { return static_cast<float>(line.steps - 1) - 0.001F; }
 
 float value_at(const Line& line, float step) {
   const int left = static_cast<int>(step);
@@ -30,14 +34,14 @@ float value_at(const Line& line, float step) {
 }
 
 /// Values at middle + half u / (1 + v u), for -u on the left and u on the right.
-RELOCK_VECTOR_CLONES void read_both_sides(const std::uint8_t* __restrict values, float middle, float half,
-                                          float v, const float* __restrict u, std::size_t count,
+RELOCK_VECTOR_CLONES void read_both_sides(const std::uint8_t* __restrict values, float last, float middle,
+                                          float half, float v, const float* __restrict u, std::size_t count,
                                           float* __restrict left, float* __restrict right) {
   std::array<float, 2 * kFoldSamples> part;
   std::array<std::int32_t, 2 * kFoldSamples> place;
   for (std::size_t i = 0; i < count; ++i) {
-    const float to_left = middle - half * u[i] / (1 - v * u[i]),
-                to_right = middle + half * u[i] / (1 + v * u[i]);
+    const float to_left = std::max(middle - half * u[i] / (1 - v * u[i]), 0.0F);
+    const float to_right = std::min(middle + half * u[i] / (1 + v * u[i]), last);
     place[i] = static_cast<std::int32_t>(to_left);
     part[i] = to_left - static_cast<float>(place[i]);
     place[kFoldSamples + i] = static_cast<std::int32_t>(to_right);
@@ -124,15 +128,16 @@ void ChordFinder::find_bars(const Edges& edges) {
 }
 
 bool ChordFinder::within(const Line& line, const Pair& pair) {
-  const float left = kEnd / (1 - pair.foreshortening * kEnd), right = kEnd / (1 + pair.foreshortening * kEnd);
+  const float left = kInside / (1 - pair.foreshortening * kInside),
+              right = kInside / (1 + pair.foreshortening * kInside);
   return pair.centre() - pair.scale() * left >= 0 &&
          pair.centre() + pair.scale() * right < static_cast<float>(line.steps - 1);
 }
 
 template <std::size_t n>
 void ChordFinder::read(const Line& line, const Pair& pair, const std::array<float, n>& at) {
-  read_both_sides(line.values, pair.centre(), pair.scale(), pair.foreshortening, at.data(), n,
-                  sides_.left.data(), sides_.right.data());
+  read_both_sides(line.values, last_place(line), pair.centre(), pair.scale(), pair.foreshortening, at.data(),
+                  n, sides_.left.data(), sides_.right.data());
 }
 
 /// Of a tilted marker the nearer half is longer. A straight line through its middle is then mapped by u/(1 + v u):
@@ -166,8 +171,8 @@ bool ChordFinder::bright_bars_in_the_dark(const Line& line, const Bar& left, con
   const float a = left.begin + std::min((left.end - left.begin) / 2, most);
   const float b = right.end - std::min((right.end - right.begin) / 2, most);
   // Their sums: past one end there may be more light than past the other.
-  return value_at(line, a) + value_at(line, b) - value_at(line, left.begin - quiet) -
-             value_at(line, right.end + quiet) >
+  return value_at(line, a) + value_at(line, b) - value_at(line, std::max(left.begin - quiet, 0.0F)) -
+             value_at(line, std::min(right.end + quiet, last_place(line))) >
          2 * kBarOverQuiet * kLeastContrast;
 }
 

@@ -61,7 +61,7 @@ class ChordFinder {
   std::optional<Pair> symmetric_pair(const Line& line, const Bar& left, const Bar& right);
   bool bright_bars_in_the_dark(const Line& line, const Bar& left, const Bar& right) const;
   Glance glance(const Line& line, const Pair& pair);
-  /// Whether all that a fold needs is on the line.
+  /// Whether both bars and a little of the quiet zone are on the line.
   static bool within(const Line& line, const Pair& pair);
   /// The line's values at so many half-lengths from the pair's middle.
   template <std::size_t n>

@@ -146,6 +146,15 @@ TEST(RingCandidates, AreNoneInABlankPictureAndNoiseAndPoorOnACheckerboard) {
   for (const Candidate& candidate : candidates(checkers)) EXPECT_LT(candidate.best.likeness, 0.97);
 }
 
+TEST(RingCandidates, AMovingMarkerThatTouchesThePicturesEdgeIsFound) {
+  const RingMarker marker{paper_ring_geometry(), "01"};
+  const DrawnRing ring{{160, 65}, 60, {40, 0}};
+  const auto found = candidates(with_noise(drawn(marker, ring), 2, 1));
+  ASSERT_FALSE(found.empty());
+  EXPECT_LT(norm(found.front().best.middle - ring.centre), 15);
+  EXPECT_NEAR(found.front().best.radius_px, 60, 4);
+}
+
 TEST(RingCandidates, AreNoneInPicturesTooSmallForAny) {
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(2, 1), cv::Size(3, 40), cv::Size(7, 7)})
     EXPECT_TRUE(candidates(cv::Mat1b(size, std::uint8_t{9})).empty());
