@@ -17,9 +17,10 @@ constexpr float kAsymmetry = 0.22F;                      // energy of the odd pa
 constexpr float kBarOverQuiet = 0.3F, kQuietOverDarkest = 0.4F;  // of the contrast
 constexpr float kLeastVariance = 60;                             // grey levels squared, of a fold
 
-constexpr float kNoMoreAsymmetry = 0.05F;  // no foreshortening could make it much less
-constexpr float kInside = 1.06F;           // must be on the line; beyond its ends, its last values go on
-constexpr float kQuietWidth = 0.13F;       // where the first look takes it to be dark
+constexpr float kHopelessAsymmetry = 0.45F;  // no foreshortening makes it little
+constexpr float kNoMoreAsymmetry = 0.05F;    // no foreshortening could make it much less
+constexpr float kInside = 1.06F;             // must be on the line; beyond its ends, its last values go on
+constexpr float kQuietWidth = 0.13F;         // where the first look takes it to be dark
 constexpr float kLeastForeshortening = 0.03F, kMostForeshortening = 0.25F;
 constexpr float kEnd = static_cast<float>(kReach);
 constexpr std::size_t kGlances = 8;
@@ -157,7 +158,8 @@ std::optional<ChordFinder::Pair> ChordFinder::symmetric_pair(const Line& line, c
     const Pair foreshortened{pair.middle, pair.half, part * v};
     if (!within(line, foreshortened)) continue;
     const Glance seen = glance(line, foreshortened);
-    if (seen.contrast < kLeastContrast || seen.asymmetry > least) continue;
+    if (seen.contrast < kLeastContrast || seen.asymmetry > kHopelessAsymmetry) break;
+    if (seen.asymmetry > least) continue;
     best = foreshortened;
     least = seen.asymmetry;
   }
