@@ -15,6 +15,10 @@ constexpr std::size_t kMostCandidates = 300;  // of a picture
 constexpr double kApart = 0.25;               // radii between the middles of chords of one marker
 constexpr double kSlack_px = 2;
 constexpr double kForeshortening = 4.5;  // between the radii of one marker in different directions
+constexpr double kAlongBlur = 0.7;       // of the blur, beyond kApart: the best chord may be at one end of it
+constexpr double kBlurred = 0.3;         // radii: shorter blurs leave the best chord near the middle
+constexpr double kAlmostAsLike = 0.03;
+constexpr double kRadiusOfManyChords_px = 40, kSmall_px = 17;
 constexpr double kSameRadius = 1.25;
 
 /// Total order, so that the answer does not depend on the sorting.
@@ -25,11 +29,41 @@ bool better(const Chord& a, const Chord& b) {
   return key(a) < key(b);
 }
 
-bool agree(const Chord& a, const Chord& b) {
-  const double larger = std::max(a.radius_px, b.radius_px), smaller = std::min(a.radius_px, b.radius_px);
+/// Across a line, along the blur, a chord shows the same within a part of the blur's length.
+bool agree(const Chord& best, const Chord& other) {
+  const double larger = std::max(best.radius_px, other.radius_px),
+               smaller = std::min(best.radius_px, other.radius_px);
+  if (larger >= kForeshortening * smaller) return false;
+  const Vec2 apart = other.middle - best.middle;
   const double tolerance = kApart * larger + kSlack_px;
-  const Vec2 apart = a.middle - b.middle;
-  return dot(apart, apart) < tolerance * tolerance && larger < kForeshortening * smaller;
+  const double along = dot(apart, best.along), square = dot(apart, apart);
+  if (square < tolerance * tolerance) return true;
+  const double across = square - along * along;
+  const double smeared = tolerance + kAlongBlur * best.blur * best.radius_px;
+  return along * along < tolerance * tolerance && across < smeared * smeared;
+}
+
+/// Of chords alike but for where along the blur they are, the one in the middle: they lie evenly about the marker's.
+const Chord& in_the_middle(const Chord& best, const std::vector<Chord>& chords) {
+  if (best.blur < kBlurred) return best;
+  const auto alike = [&](const Chord& chord) {
+    return chord.direction == best.direction && chord.code == best.code &&
+           chord.likeness > best.likeness - kAlmostAsLike && chord.radius_px < 1.1 * best.radius_px &&
+           best.radius_px < 1.1 * chord.radius_px;
+  };
+  const auto across = [&](const Chord& chord) {
+    const Vec2 apart = chord.middle - best.middle;
+    return apart.y * best.along.x - apart.x * best.along.y;
+  };
+  double sum = 0;
+  int count = 0;
+  for (const Chord& chord : chords)
+    if (alike(chord)) sum += across(chord), ++count;
+  const Chord* middle = &best;
+  for (const Chord& chord : chords)
+    if (alike(chord) && std::abs(across(chord) - sum / count) < std::abs(across(*middle) - sum / count))
+      middle = &chord;
+  return *middle;
 }
 
 /// Chords of about one radius among those of a candidate.
@@ -38,7 +72,7 @@ struct Radius {
   int chords;
   /// The inner rings of a marker can look like a smaller marker: of equals the larger one is meant.
   double score() const {
-    return best->likeness + 0.015 * std::log2(chords + 1.0) + 0.03 * std::log(best->radius_px);
+    return best->likeness + 0.015 * std::log2(chords + 1.0) + 0.05 * std::log(best->radius_px);
   }
 };
 
@@ -59,6 +93,16 @@ const Chord& of_the_most_convincing_radius(const std::vector<Chord>& chords) {
   return *std::max_element(radii.begin(), radii.begin() + count, [](const Radius& a, const Radius& b) {
             return a.score() < b.score();
           })->best;
+}
+
+/// Likeness first. Profiles of long blurs have little of their own: much clutter is like one of them. Of a small marker
+/// fewer lines see anything, and in two directions only (finder.cpp), which is not held against it.
+double score(const Chord& like, const Candidate& candidate) {
+  const double expected = std::clamp(like.radius_px / kRadiusOfManyChords_px, 0.25, 1.0);
+  const double many = std::log2(static_cast<double>(candidate.chords.size()) / expected + 1);
+  const double directions = candidate.directions * (like.radius_px < kSmall_px ? 5 : 1);
+  return like.likeness + 0.015 * std::min(5.0, many) + 0.003 * directions -
+         0.05 * std::max(0.0, like.blur - 1);
 }
 
 }  // namespace
@@ -97,14 +141,14 @@ Candidate& CandidateGrouper::fresh(const Chord& best) {
 }
 
 void CandidateGrouper::rank(Candidate& candidate) const {
-  candidate.best = of_the_most_convincing_radius(candidate.chords);
+  const Chord& like = of_the_most_convincing_radius(candidate.chords);
+  candidate.best = in_the_middle(like, candidate.chords);
   std::bitset<32> seen;
   for (const Chord& chord : candidate.chords)
     if (chord.code == candidate.best.code && chord.likeness > 0.88)
       seen.set(static_cast<std::size_t>(chord.direction));
   candidate.directions = static_cast<int>(seen.count());
-  const double many = std::min(5.0, std::log2(static_cast<double>(candidate.chords.size()) + 1));
-  candidate.score = candidate.best.likeness + 0.02 * many + 0.01 * candidate.directions;
+  candidate.score = score(like, candidate);
 }
 
 }  // namespace relock::ring

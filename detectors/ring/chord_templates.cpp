@@ -18,7 +18,7 @@ constexpr std::size_t kMostShapes = 2048;  // six bits have 1792
 
 constexpr double kProfileEnd = 1.5;
 constexpr double kEdgeSpan = 0.03;  // the slope is measured over twice this
-constexpr double kFirstEdge = 0.75, kLastEdge = 1.10;
+constexpr double kLastEdge = 1.10;
 
 /// Share of the movement that a point of the line spends on a disc.
 double time_on_disc(double radius, double along_blur, double across_blur, double blur) {
@@ -60,9 +60,10 @@ double at(const std::vector<double>& profile, double rho) {
   return (1 - part) * profile[left] + part * profile[left + 1];
 }
 
-double steepest_outer_edge(const std::vector<double>& profile) {
+/// From the outermost ring on: other rings have edges, too.
+double steepest_outer_edge(const std::vector<double>& profile, double from) {
   double edge = 1, steepest = 0;
-  for (double rho = kFirstEdge; rho < kLastEdge; rho += 0.005) {
+  for (double rho = from; rho < kLastEdge; rho += 0.005) {
     const double fall = at(profile, rho - kEdgeSpan) - at(profile, rho + kEdgeSpan);
     if (fall > steepest) steepest = fall, edge = rho;
   }
@@ -112,6 +113,7 @@ std::vector<double> exposed_ring(const Annulus& ring, const Exposed& exposed) {
 
 ChordTemplates::ChordTemplates(const RingGeometry& geometry, double most_blur) {
   const std::vector<std::string> codes = all_ring_bits(geometry.bits());
+  first_edge_ = geometry.slots.back().inner;
   for (const Exposed& exposed : exposures(most_blur)) {
     std::vector<std::vector<double>> rings;
     for (const Annulus& slot : geometry.slots) rings.push_back(exposed_ring(slot, exposed));
@@ -129,7 +131,7 @@ ChordTemplates::ChordTemplates(const RingGeometry& geometry, double most_blur) {
 }
 
 void ChordTemplates::add(std::size_t code, const Exposed& exposed, const std::vector<double>& profile) {
-  const double edge = steepest_outer_edge(profile);
+  const double edge = steepest_outer_edge(profile, first_edge_);
   std::array<double, kFoldSamples> values{};
   double mean = 0, squares = 0;
   for (std::size_t i = 0; i < kFoldSamples; ++i) {

@@ -56,6 +56,7 @@ class ChordTemplates {
   void add(std::size_t code, const Exposed& exposed, const std::vector<double>& profile);
   void lay_out();
 
+  double first_edge_ = 0;  // no outer edge is farther in
   std::vector<Shape> shapes_;
   std::vector<Fold> folds_;
   std::size_t stride_ = 0;

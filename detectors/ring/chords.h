@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "detectors/ring/candidates.h"
@@ -33,24 +35,48 @@ class ChordFinder {
   struct Bar {
     float begin, end;  // steps
     float rise, fall;  // grey levels over two steps, both positive
+    float width() const { return end - begin; }
   };
-  /// What the middle and half-length of two bars would be.
+  /// Where the marker would be whose outermost ring two bars are.
   struct Pair {
-    float middle, half;  // steps
+    float middle, half;  // steps: midway between its ends, and from there to each
+    float foreshortening = 0;
+    /// The marker's middle.
+    float centre() const { return middle + half * foreshortening; }
+    /// Half the length that it would have without foreshortening.
+    float scale() const { return half * (1 - foreshortening * foreshortening); }
+  };
+  /// How a pair looks through a few points.
+  struct Glance {
+    float contrast, asymmetry;  // grey levels; the mean difference of the two sides over the contrast
+  };
+  /// Both sides of a pair, from its middle outwards.
+  struct Sides {
+    std::array<float, kFoldSamples> left, right;
   };
 
   void find_bars(const Edges& edges);
   bool could_be_one_ring(const Bar& left, const Bar& right, float half) const;
-  static bool symmetric_at_a_glance(const Line& line, const Pair& pair);
+  /// The two bars' pair if it is symmetric, foreshortened as their widths say.
+  std::optional<Pair> symmetric_pair(const Line& line, const Bar& left, const Bar& right);
+  bool bright_bars_in_the_dark(const Line& line, const Bar& left, const Bar& right) const;
+  Glance glance(const Line& line, const Pair& pair);
+  /// Whether both bars and a little of the quiet zone are on the line.
+  static bool within(const Line& line, const Pair& pair);
+  /// The line's values at so many half-lengths from the pair's middle.
+  template <std::size_t n>
+  void read(const Line& line, const Pair& pair, const std::array<float, n>& at);
   bool folded(const Line& line, const Pair& pair);
   void match(const Line& line, const Pair& pair, const ChordSearch& search, std::vector<Chord>& chords);
 
   ChordTemplates templates_;
   double least_likeness_;
   float narrowest_, widest_;  // of an outermost bar, parts of the half-length
+  float bar_middle_;          // of the outermost ring
   std::size_t bar_sample_;    // of a fold, in the middle of the outermost ring
   EdgeFinder edge_finder_;
   std::vector<Bar> bars_;
+  Sides sides_{};
   Fold fold_{};
 };
 

@@ -17,8 +17,8 @@ struct LevelSearch {
 // Each level has the radii at which its rings are two to eight px wide; averaging lowers noise, so that weaker
 // edges can be told from it.
 constexpr std::array<LevelSearch, Pyramid::kLevels> kLevels = {{
-    {16, 8, 22, 4},
-    {11, 9, 36, 1},
+    {16, 7.5, 19, 4},
+    {11, 9, 34, 1},
     {9, 16, std::numeric_limits<double>::infinity(), 1},
 }};
 

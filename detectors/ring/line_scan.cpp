@@ -117,20 +117,28 @@ const Edges& EdgeFinder::find(const Line& line, int least_rise) {
   if (rise_.size() < count + kWord) {
     rise_.resize(count + kWord);
     is_edge_.resize(count + kWord);
+    places_.resize(count + kWord);
   }
   differences(line.values, line.steps, rise_.data());
   steepest(rise_.data(), line.steps, static_cast<std::int16_t>(least_rise), is_edge_.data());
   std::fill_n(is_edge_.begin() + line.steps, kWord, std::uint8_t{0});
+  std::size_t found = 0;
   for (std::size_t word = 0; word < count; word += kWord) {
     std::uint64_t any = 0;
     std::memcpy(&any, is_edge_.data() + word, kWord);
     if (any == 0) continue;
     for (std::size_t i = word; i < word + kWord; ++i) {
-      if (is_edge_[i] == 0) continue;
-      const float here = rise_[i];
-      edges_.at.push_back(static_cast<float>(i) + vertex(rise_[i - 1], here, rise_[i + 1]));
-      edges_.rise.push_back(here);
+      places_[found] = static_cast<std::int32_t>(i);
+      found += is_edge_[i];
     }
+  }
+  edges_.at.resize(found);
+  edges_.rise.resize(found);
+  for (std::size_t i = 0; i < found; ++i) {
+    const auto place = static_cast<std::size_t>(places_[i]);
+    const float here = rise_[place];
+    edges_.at[i] = static_cast<float>(place) + vertex(rise_[place - 1], here, rise_[place + 1]);
+    edges_.rise[i] = here;
   }
   return edges_;
 }

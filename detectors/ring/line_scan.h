@@ -88,6 +88,7 @@ class EdgeFinder {
  private:
   std::vector<std::int16_t> rise_;
   std::vector<std::uint8_t> is_edge_;
+  std::vector<std::int32_t> places_;
   Edges edges_;
 };
 
