@@ -106,6 +106,9 @@ void add_detect(CLI::App& app, DetectArguments& a) {
   verb.add_option("--method", a.method, "a detector, with options: aruco(dictionary=4x4_50)")->required();
   verb.add_flag("--json", a.json, "print one JSON object a picture and line");
   verb.add_option("--draw", a.draw, "write the picture with what was found drawn on it");
+  CLI::Option* explain =
+      verb.add_flag("--explain", a.explain, "show the stages of the detector's work: pictures and charts");
+  verb.add_option("--out", a.out, "folder for the stages")->capture_default_str()->needs(explain);
 }
 
 void add_list(CLI::App& app, ListArguments& a) {
@@ -187,6 +190,20 @@ void add_map(CLI::App& app, MapArguments& a) {
       ->capture_default_str();
   verb.add_flag("--quick", a.quick, "a small map for a first look");
   verb.add_flag("--dry-run", a.dry_run, "say what would be made, and about how long it takes");
+}
+
+void add_reproduce(CLI::App& app, ReproduceArguments& a) {
+  CLI::App& verb = *app.add_subcommand(
+      "reproduce", "Run the experiments of the paper that the rings come from, its figures beside ours");
+  verb.add_flag("--quick", a.quick, "a first look: few conditions, marked QUICK in every figure");
+  verb.add_option("--out", a.out,
+                  "the folder; what is there already is not made again; else reproduction, or "
+                  "reproduction-quick");
+  verb.add_option("--jobs,-j", a.jobs, "pictures at a time; the figures are the same for any number")
+      ->capture_default_str();
+  verb.add_option("--only", a.only, "experiments, separated by commas: figure-11,table-1; else all")
+      ->delimiter(',');
+  verb.add_flag("--json", a.json, "print all figures as JSON");
 }
 
 void add_realism(CLI::App& app, RealismArguments& a) {
@@ -275,6 +292,7 @@ void add_verbs(CLI::App& app, Arguments& arguments) {
   add_new(app, arguments.start_new);
   add_simulate(app, arguments.simulate);
   add_map(app, arguments.map);
+  add_reproduce(app, arguments.reproduce);
   add_realism(app, arguments.realism);
   add_marker(app, arguments.marker);
   add_export(app, arguments.export_results);

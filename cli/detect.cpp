@@ -3,15 +3,18 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
+#include <filesystem>
+#include <opencv2/core/mat.hpp>
 
 #include "cli/catalogue.h"
+#include "cli/drawing.h"
 #include "cli/files.h"
 #include "cli/json_text.h"
+#include "cli/stages.h"
 #include "cli/verbs.h"
 #include "core/error.h"
 #include "core/opencv.h"
+#include "sequences/encoded_picture.h"
 
 namespace relock {
 namespace {
@@ -44,25 +47,34 @@ Json to_json(const Sighting& s) {
                           : Json()}};
 }
 
+struct WrittenStage {
+  std::string name, sentence, file;
+};
+
 struct Detection {
   std::string image;
   Size size;
   Sightings sightings;
   double ms = 0;
+  std::vector<WrittenStage> stages;  ///< if they were asked for
 };
 
 void print_json(const Detection& d) {
   Json sightings = Json::array();
   for (const Sighting& s : d.sightings) sightings.push_back(to_json(s));
-  const Json line{{"image", d.image},
-                  {"width", d.size.width},
-                  {"height", d.size.height},
-                  {"sightings", sightings},
-                  {"ms", std::round(d.ms * 1000) / 1000}};
+  Json line{{"image", d.image},
+            {"width", d.size.width},
+            {"height", d.size.height},
+            {"sightings", sightings},
+            {"ms", std::round(d.ms * 1000) / 1000}};
+  for (const auto& [name, sentence, file] : d.stages)
+    line["stages"].push_back({{"name", name}, {"sentence", sentence}, {"file", file}});
   fmt::print("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 void print_text(const Detection& d) {
+  for (std::size_t i = 0; i < d.stages.size(); ++i)
+    fmt::print("{} {}: {} ({})\n", i + 1, d.stages[i].name, d.stages[i].sentence, d.stages[i].file);
   if (d.sightings.empty()) fmt::print("{}: nothing ({:.1f} ms)\n", d.image, d.ms);
   for (const Sighting& s : d.sightings)
     fmt::print("{}: {} at {:.2f}, {:.2f}, size {:.1f} px, confidence {:.2f} ({:.1f} ms)\n", d.image,
@@ -70,66 +82,42 @@ void print_text(const Detection& d) {
                s.confidence, d.ms);
 }
 
-cv::Point to_point(Vec2 v, int shift) {
-  const double scale = 1 << shift;
-  return {static_cast<int>(std::lround(v.x * scale)), static_cast<int>(std::lround(v.y * scale))};
-}
-
-void draw_outline(cv::Mat& picture, const Outline& outline, const cv::Scalar& colour) {
-  constexpr int shift = 4;  // sixteenths of a pixel
-  if (const auto* e = std::get_if<Ellipse>(&outline)) {
-    cv::ellipse(picture, to_point(e->centre, 0),
-                {static_cast<int>(std::lround(e->semi_major)), static_cast<int>(std::lround(e->semi_minor))},
-                e->angle_rad * 180 / CV_PI, 0, 360, colour, 1, cv::LINE_AA);
-    return;
-  }
-  std::array<Vec2, 4> corners;
-  if (const auto* quad = std::get_if<Quad>(&outline)) {
-    corners = quad->corner;
-  } else {
-    const auto& b = std::get<Box>(outline);
-    corners = {{{b.x, b.y}, {b.right(), b.y}, {b.right(), b.bottom()}, {b.x, b.bottom()}}};
-  }
-  for (std::size_t i = 0; i < 4; ++i)
-    cv::line(picture, to_point(corners[i], shift), to_point(corners[(i + 1) % 4], shift), colour, 1,
-             cv::LINE_AA, shift);
-}
-
-cv::Mat drawn(cv::Mat picture, const Sightings& sightings) {
-  if (picture.channels() == 1) cv::cvtColor(picture, picture, cv::COLOR_GRAY2BGR);
-  const cv::Scalar green(115, 158, 0), orange(0, 94, 213);  // Okabe and Ito
-  for (const Sighting& s : sightings) {
-    draw_outline(picture, s.outline, green);
-    cv::drawMarker(picture, to_point(s.centre, 0), orange, cv::MARKER_CROSS, 9, 1, cv::LINE_AA);
-    const std::string label = s.code ? to_string(*s.code) : fmt::format("{:.2f}", s.confidence);
-    const Box box = bounds(s.outline);
-    cv::putText(picture, label, to_point({box.x, box.y - 4}, 0), cv::FONT_HERSHEY_SIMPLEX, 0.4, orange, 1,
-                cv::LINE_AA);
-  }
-  return picture;
-}
-
-void write_drawing(const std::filesystem::path& path, const cv::Mat& picture) {
-  bool written = false;
-  try {
-    written = cv::imwrite(path.string(), picture);
-  } catch (const cv::Exception&) {  // an ending that OpenCV does not know
-  }
-  if (!written)
-    throw Error(fmt::format(
-        "{} cannot be written; is its folder there, and does its name end in .png or .jpg?", path.string()));
-}
-
 cv::Mat read_picture(const std::string& name) {
-  cv::Mat picture;
+  if (!std::filesystem::exists(name)) throw Error(fmt::format("{} does not exist", name));
+  if (std::filesystem::is_directory(name)) throw Error(fmt::format("{} is a folder, not a picture", name));
+  const std::string bytes = read_file(name);
   try {
-    picture = cv::imread(name, cv::IMREAD_ANYCOLOR);
-  } catch (const cv::Exception&) {  // larger than OpenCV takes
+    return decode_picture({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+  } catch (const Error& fault) {
+    throw Error(fmt::format("{}: {}", name, fault.what()));
   }
-  if (picture.empty())
-    throw Error(fmt::format(
-        "{} {}", name, std::filesystem::exists(name) ? "is no picture that can be read" : "does not exist"));
-  return picture;
+}
+
+/// The detector as one that shows its stages. Throws Error when it is none.
+ExplainingDetector& explaining(Detector& detector, const std::string& name, const Methods& methods) {
+  auto* explaining = dynamic_cast<ExplainingDetector*>(&detector);
+  if (explaining) return *explaining;
+  const auto others = explaining_detectors(methods);
+  throw Error(fmt::format(
+      "{} does not show its stages; {}", name,
+      others.empty() ? "no detector does" : fmt::format("these detectors do: {}", fmt::join(others, ", "))));
+}
+
+Detection detection_in(const cv::Mat& picture, const std::string& name, Detector& detector) {
+  const auto begun = std::chrono::steady_clock::now();
+  Detection detection{name, {picture.cols, picture.rows}, detector.detect(view(picture)), 0, {}};
+  detection.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+  return detection;
+}
+
+std::vector<WrittenStage> explain_into(const std::filesystem::path& folder, const cv::Mat& picture,
+                                       ExplainingDetector& detector) {
+  const std::vector<Stage> stages = detector.explain(view(picture));
+  const auto files = write_stages(stages, folder);
+  std::vector<WrittenStage> written;
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    written.push_back({stages[i].name, stages[i].sentence, files[i].string()});
+  return written;
 }
 
 }  // namespace
@@ -141,15 +129,16 @@ int detect(const DetectArguments& arguments, const Methods& methods) {
   choose(methods, specs[0]);  // a plug-in that does not survive these options is told of in one sentence
   const Options options(entry.name, entry.options, specs[0].options);
   const auto detector = entry.make(options, 1);
+  if (arguments.explain) explaining(*detector, entry.name, methods);
   for (std::size_t i = 0; i < arguments.images.size(); ++i) {
     const std::string name = arguments.images[i].string();
     const cv::Mat picture = read_picture(name);
-    const auto begun = std::chrono::steady_clock::now();
-    Detection detection{name, {picture.cols, picture.rows}, detector->detect(view(picture)), 0};
-    detection.ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+    Detection detection = detection_in(picture, name, *detector);
+    if (arguments.explain)
+      detection.stages =
+          explain_into(numbered(arguments.out, i), picture, explaining(*detector, entry.name, methods));
     arguments.json ? print_json(detection) : print_text(detection);
-    if (arguments.draw) write_drawing(numbered(*arguments.draw, i), drawn(picture, detection.sightings));
+    if (arguments.draw) write_picture(numbered(*arguments.draw, i), drawn(picture, detection.sightings));
   }
   return 0;
 }

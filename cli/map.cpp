@@ -14,6 +14,7 @@
 #include "cli/map/measure.h"
 #include "cli/map/sweep.h"
 #include "cli/runs/folder.h"
+#include "cli/runs/missing.h"
 #include "cli/verbs.h"
 #include "core/error.h"
 
@@ -99,7 +100,7 @@ int map(const MapArguments& arguments, const Methods& methods) {
   const ResultsLock lock = prepare_results(plan.out);
   maps::fly_missing(plan, arguments.jobs);
   const maps::SweepMatrix sweep = maps::sweep_matrix(plan, maps::flights_of(plan), methods);
-  const int status = maps::make_missing_runs(sweep, arguments.jobs);
+  const int status = make_missing_runs(sweep.matrix, arguments.jobs);
   if (status > 1) return status;
   const maps::MeasuredMap measured = maps::measure(plan, sweep, methods);
   const maps::Answer answer = maps::answer(measured, arguments.tracker, arguments.detector);

@@ -65,6 +65,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& met
   if (app.got_subcommand("check")) return check(arguments.check, methods);
   if (app.got_subcommand("simulate")) return simulate(arguments.simulate);
   if (app.got_subcommand("map")) return map(arguments.map, methods);
+  if (app.got_subcommand("reproduce")) return reproduce(arguments.reproduce, methods);
   if (app.got_subcommand("realism")) return realism(arguments.realism);
   if (app.got_subcommand("new")) return start_new(arguments.start_new, methods);
   if (app.got_subcommand("marker")) return marker(arguments.marker);

@@ -78,7 +78,9 @@ struct DetectArguments {
   std::vector<std::filesystem::path> images;
   std::string method;
   bool json = false;
-  std::optional<std::filesystem::path> draw;
+  std::optional<std::filesystem::path> draw = {};
+  bool explain = false;                     ///< show the stages of the detector's work, too
+  std::filesystem::path out = "explained";  ///< folder for them
 };
 int detect(const DetectArguments& arguments, const Methods& methods);
 
@@ -143,6 +145,15 @@ struct MapArguments {
   bool dry_run = false;
 };
 int map(const MapArguments& arguments, const Methods& methods);
+
+struct ReproduceArguments {
+  bool quick = false;
+  std::optional<std::filesystem::path> out;  ///< else reproduction, or reproduction-quick
+  int jobs = 1;
+  std::vector<std::string> only;  ///< names of experiments; else all
+  bool json = false;
+};
+int reproduce(const ReproduceArguments& arguments, const Methods& methods);
 
 struct RealismArguments {
   std::filesystem::path simulated;

@@ -53,6 +53,7 @@ for programs and plug-ins of your own.")
   set(CPACK_STRIP_FILES ON)
   set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
   set(CPACK_DEBIAN_PACKAGE_SECTION science)
+  set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox")  # draws plots
   set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libopencv-dev")  # to build plug-ins
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # needs dpkg-dev
   include(CPack)

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/image.h"
+#include "core/picture.h"
 
 // Between relock's types and OpenCV's: the one home of the half pixel. All of it is in this header, so that a
 // plug-in that uses OpenCV has it without linking relock.
@@ -29,6 +30,8 @@ inline Image view(const cv::Mat& mat) {
   const auto format = mat.type() == CV_8UC1 ? PixelFormat::gray8 : PixelFormat::bgr8;
   return Image(mat.ptr(), Size{mat.cols, mat.rows}, format, mat.step[0]);
 }
+
+inline Picture::Picture(const cv::Mat& mat) : Picture(relock::view(mat)) {}
 
 /// The picture as grey, one byte a pixel: the same pixels if it is grey already, else converted into
 /// `buffer`.

@@ -28,7 +28,8 @@
 //                      }});
 //   }
 //
-// Exceptions of the class are caught and told to relock as what they say.
+// Exceptions of the class are caught and told to relock as what they say. A class that is an ExplainingDetector
+// (core/stage.h) shows its stages to `relock detect --explain`.
 
 namespace relock {
 
@@ -116,6 +117,21 @@ inline void detect(void* object, const relock_image* image, const relock_box* wh
   });
 }
 
+inline int explain(void* object, const relock_image* image, const relock_box* where,
+                   const relock_answer* answer) noexcept {
+  auto* detector = dynamic_cast<ExplainingDetector*>(static_cast<Detector*>(object));
+  if (detector == nullptr) return 0;
+  if (image == nullptr) return 1;
+  answer_for(answer, [&] {
+    const auto box = where ? std::optional(from_c(*where)) : std::nullopt;
+    for (const Stage& stage : detector->explain(from_c(*image), box)) {
+      const StageForC shown = to_c(stage);
+      answer->stage(answer->host, &shown.stage);
+    }
+  });
+  return 1;
+}
+
 inline void start(void* object, const relock_frame* frame, const relock_box* box,
                   const relock_answer* answer) noexcept {
   answer_for(answer, [&] { static_cast<Tracker*>(object)->start(from_c(*frame), from_c(*box)); });
@@ -142,6 +158,7 @@ inline void describe_calls(DetectorEntry& entry, relock_method& table) {
   table.create = &create<DetectorEntry>;
   table.destroy = &destroy<Detector>;
   table.detect = &detect;
+  table.explain = &explain;
 }
 
 inline void describe_calls(TrackerEntry& entry, relock_method& table) {

@@ -11,8 +11,8 @@
    - One object serves one run (a detector) or one start (a tracker), from one thread. Other objects may be at
      work on other threads.
    - The version stays 1 as long as structs only grow at their end: each begins with its size, or its size is
-     in the table, and a reader reads no further than that. relock_setting, relock_box and relock_image never
-     change.
+     in the table, and a reader reads no further than that. relock_setting, relock_box, relock_image and
+     relock_curve never change.
 
    Coordinates are pixels, x to the right, y down, pixel centres at integers: a box of the pixels 10 to 29 has
    its left edge at 9.5 and a width of 20. All texts are UTF-8 and end in a zero byte. */
@@ -83,6 +83,25 @@ typedef struct relock_sighting {
   double blur_length_px;     /* negative: not estimated */
 } relock_sighting;
 
+/* One line of a chart. */
+typedef struct relock_curve {
+  const char* name;     /* "": the only one */
+  const double* points; /* x and y of the first one, of the second one, ... */
+  uint64_t count;       /* of points */
+} relock_curve;
+
+/* One step of a detector's work on one picture, made to be looked at: a picture or a chart. */
+typedef struct relock_stage {
+  uint64_t size;        /* of this struct, bytes */
+  const char* name;     /* one word: "filter" */
+  const char* sentence; /* what is to be seen, with the figures of this picture */
+  relock_image picture; /* its data are NULL: it is a chart */
+  const char* x;        /* chart: titles of the axes, with their units */
+  const char* y;
+  const relock_curve* curves;
+  uint64_t curve_count;
+} relock_stage;
+
 /* What a function of the plug-in answers through; `host` goes back into each of its functions. */
 typedef struct relock_answer {
   uint64_t size; /* of this struct, bytes */
@@ -93,6 +112,8 @@ typedef struct relock_answer {
   void (*code_family)(void* host, const char* family);
   /* What is at fault, in one sentence; whatever else was answered no longer counts. */
   void (*error)(void* host, const char* sentence);
+  /* One more stage, in their order. There for who is asked to explain; an older relock asks nobody. */
+  void (*stage)(void* host, const relock_stage* stage);
 } relock_answer;
 
 enum { RELOCK_DETECTOR = 1, RELOCK_TRACKER = 2 };
@@ -129,6 +150,11 @@ typedef struct relock_method {
   void (*track)(void* object, const relock_frame* frame, const relock_answer* answer);
   /* Trackers: a hint before track, it is thought to be here, give or take sigma_px. May be NULL. */
   void (*expect)(void* object, const relock_box* prior, double sigma_px, const relock_answer* answer);
+
+  /* Detectors: the stages of what detect does with the same arguments, the last one its answer. Returns 0 when
+     this object shows none, else 1; asked with `image` NULL it only says which. May be NULL: none shows any. */
+  int (*explain)(void* object, const relock_image* image, const relock_box* where,
+                 const relock_answer* answer);
 } relock_method;
 
 /* Everything that a plug-in brings. */

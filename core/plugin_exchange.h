@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "core/frame.h"
 #include "core/plugin_abi.h"
 #include "core/sighting.h"
+#include "core/stage.h"
 
 // Between relock's types and those of core/plugin_abi.h, both ways side by side: one side of a plug-in uses the
 // one, the other side the other.
@@ -101,6 +103,72 @@ inline Sighting from_c(const relock_sighting& seen) {
   sighting.confidence = seen.confidence;
   if (seen.blur_length_px >= 0) sighting.blur = BlurEstimate{seen.blur_direction_rad, seen.blur_length_px};
   return sighting;
+}
+
+/// A stage for the other side. It points into itself and into the stage that it was made of.
+struct StageForC {
+  std::vector<std::vector<double>> points;  // of each curve
+  std::vector<relock_curve> curves;
+  relock_stage stage{};
+};
+inline StageForC to_c(const Stage& stage) {
+  StageForC made;
+  made.stage.size = sizeof(relock_stage);
+  made.stage.name = stage.name.c_str(), made.stage.sentence = stage.sentence.c_str();
+  if (const auto* picture = std::get_if<Picture>(&stage.shown)) {
+    made.stage.picture = to_c(picture->view());
+    return made;
+  }
+  const auto& chart = std::get<Chart>(stage.shown);
+  made.stage.x = chart.x.c_str(), made.stage.y = chart.y.c_str();
+  for (const ChartCurve& curve : chart.curves) {
+    std::vector<double>& flat = made.points.emplace_back();
+    for (const Vec2& point : curve.points) flat.insert(flat.end(), {point.x, point.y});
+    made.curves.push_back({curve.name.c_str(), flat.data(), curve.points.size()});
+  }
+  made.stage.curves = made.curves.data(), made.stage.curve_count = made.curves.size();
+  return made;
+}
+
+inline std::string stage_text(const char* text, const char* what) {
+  if (text == nullptr) throw Error(std::string("it shows a stage whose ") + what + " is NULL");
+  return text;
+}
+inline Picture picture_from_c(const relock_image& image) {
+  const std::uint64_t row =
+      static_cast<std::uint64_t>(std::max(image.width, 0)) * (image.format == RELOCK_BGR8 ? 3 : 1);
+  if ((image.format != RELOCK_GRAY8 && image.format != RELOCK_BGR8) || row == 0 || image.height <= 0 ||
+      image.stride < row)
+    throw Error("it shows a stage whose picture is none: " + std::to_string(image.width) + " x " +
+                std::to_string(image.height) + " px of format " + std::to_string(image.format) + ", " +
+                std::to_string(image.stride) + " bytes a row");
+  return Picture(from_c(image));
+}
+inline Chart chart_from_c(const relock_stage& shown) {
+  Chart chart{stage_text(shown.x, "x"), stage_text(shown.y, "y"), {}};
+  if (shown.curve_count > 0 && shown.curves == nullptr) throw Error("it shows a stage whose curves are NULL");
+  for (std::uint64_t i = 0; i < shown.curve_count; ++i) {
+    const relock_curve& from = shown.curves[i];
+    ChartCurve curve{stage_text(from.name, "curve's name"), {}};
+    if (from.count > 0 && from.points == nullptr) throw Error("it shows a stage whose points are NULL");
+    for (std::uint64_t k = 0; k < from.count; ++k)
+      curve.points.push_back({from.points[2 * k], from.points[2 * k + 1]});
+    chart.curves.push_back(std::move(curve));
+  }
+  return chart;
+}
+/// A copy. Throws Error when it is none.
+inline Stage from_c(const relock_stage& shown) {
+  if (shown.size < sizeof(relock_stage))
+    throw Error("it shows a stage of " + std::to_string(shown.size) + " bytes, not " +
+                std::to_string(sizeof(relock_stage)));
+  Stage stage{stage_text(shown.name, "name"), stage_text(shown.sentence, "sentence"), {}};
+  if (shown.picture.data) {
+    stage.shown = picture_from_c(shown.picture);
+  } else {
+    stage.shown = chart_from_c(shown);
+  }
+  return stage;
 }
 
 }  // namespace relock::plugin

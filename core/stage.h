@@ -1,12 +1,12 @@
 #pragma once
 
-#include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "core/detector.h"
+#include "core/picture.h"
 
 namespace relock {
 
@@ -24,9 +24,9 @@ struct Chart {
 
 /// One step of a detector's work on one picture, made to be looked at.
 struct Stage {
-  std::string name;                    ///< one word, it becomes part of a file's name: "filter"
-  std::string sentence;                ///< what is to be seen, with the figures of this picture
-  std::variant<cv::Mat, Chart> shown;  ///< a picture is CV_8UC1 or CV_8UC3 (BGR) and owns its pixels
+  std::string name;      ///< one word, it becomes part of a file's name: "filter"
+  std::string sentence;  ///< what is to be seen, with the figures of this picture
+  std::variant<Picture, Chart> shown;
 };
 
 /// A detector that can show how it comes to its answer: `relock detect --explain` asks it to.

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/nearest.h"
 #include "core/opencv.h"
+#include "core/stage.h"
 #include "detectors/aruco_library.h"
 #include "detectors/part.h"
 
@@ -55,13 +56,26 @@ Quad quad_of(const std::vector<cv::Point2f>& corners, Vec2 offset) {
   return quad;
 }
 
+// Okabe and Ito's green and orange, as BGR.
+const cv::Scalar kGreen(115, 158, 0), kOrange(0, 94, 213);
+
+void draw(cv::Mat& canvas, const Quad& quad, const cv::Scalar& colour) {
+  std::vector<cv::Point> corners;
+  for (const Vec2& corner : quad.corner) corners.emplace_back(cv::Point2d(corner.x, corner.y));
+  cv::polylines(canvas, corners, true, colour, 1, cv::LINE_AA);
+}
+
+std::string count_of(const Sightings& found) {
+  return found.size() == 1 ? "1 marker" : fmt::format("{} markers", found.size());
+}
+
 /// Whether `a` is `b` once more: the inner edge of a border found beside its outer edge, say.
 bool same_marker(const Sighting& a, const Sighting& b) {
   return a.code == b.code &&
          norm(a.centre - b.centre) < 0.5 * std::max(size_of(a.outline), size_of(b.outline));
 }
 
-class ArucoDetector final : public Detector {
+class ArucoDetector final : public ExplainingDetector {
  public:
   explicit ArucoDetector(const ArucoOptions& options)
       : options_(options),
@@ -73,16 +87,60 @@ class ArucoDetector final : public Detector {
     if (image.empty()) throw Error("aruco was given an empty picture");
     const Part part = part_to_search(image, where);
     // A smaller picture cannot hold a marker, and the library's windows do not fit into it.
+    corners_.clear(), ids_.clear(), rejected_.clear();
     if (std::min(part.image.size().width, part.image.size().height) < options_.min_side_px) return {};
     const cv::Mat gray = gray_of(part.image, gray_);
     // The library takes the smallest perimeter relative to the picture; a cropped picture must not change it.
     parameters_.minMarkerPerimeterRate = 4 * options_.min_side_px / std::max(gray.cols, gray.rows);
-    aruco_library::detect(gray, dictionary_, parameters_, corners_, ids_);
+    aruco_library::detect(gray, dictionary_, parameters_, corners_, ids_, rejected_);
     if (options_.corner_refinement == "subpix") refine(gray);
     return sightings(part.offset);
   }
 
+  std::vector<Stage> explain(const Image& image, const std::optional<Box>& where) override {
+    const Sightings found = detect(image, where);
+    const Part part = part_to_search(image, where);
+    std::vector<Stage> stages;
+    if (!part.image.empty()) stages.push_back(threshold_stage(part));  // a hint may lie beside the picture
+    stages.push_back(candidates_stage(image, part.offset));
+    stages.push_back(answer_stage(image, found));
+    return stages;
+  }
+
  private:
+  Stage threshold_stage(const Part& part) {
+    // As the library does it, with each of its windows in turn.
+    const int window = parameters_.adaptiveThreshWinSizeMax;
+    cv::Mat black;
+    cv::adaptiveThreshold(gray_of(part.image, gray_), black, 255, cv::ADAPTIVE_THRESH_MEAN_C,
+                          cv::THRESH_BINARY_INV, window, parameters_.adaptiveThreshConstant);
+    return {
+        "threshold",
+        fmt::format("white is what is {} grey levels or more below the mean of the {} px around it; from {} "
+                    "px on, windows are tried in steps of {} px",
+                    parameters_.adaptiveThreshConstant, window, parameters_.adaptiveThreshWinSizeMin,
+                    parameters_.adaptiveThreshWinSizeStep),
+        black};
+  }
+
+  Stage candidates_stage(const Image& image, Vec2 offset) const {
+    cv::Mat canvas;
+    bgr_copy(image, canvas);
+    for (const auto& corners : rejected_) draw(canvas, quad_of(corners, offset), kOrange);
+    for (const auto& corners : corners_) draw(canvas, quad_of(corners, offset), kGreen);
+    return {"candidates",
+            fmt::format("{} outlines with four corners; the bits in {} of them are a marker's of {} (green)",
+                        rejected_.size() + corners_.size(), corners_.size(), options_.dictionary),
+            canvas};
+  }
+
+  static Stage answer_stage(const Image& image, const Sightings& found) {
+    cv::Mat canvas;
+    bgr_copy(image, canvas);
+    for (const Sighting& sighting : found) draw(canvas, std::get<Quad>(sighting.outline), kGreen);
+    return {"answer", fmt::format("{}; what was found twice is told once", count_of(found)), canvas};
+  }
+
   /// Done here, because the library's own window had a fixed size before OpenCV 4.9, which takes in the first
   /// cells of small markers. Where half a cell leaves no window, the lines through the contour are better.
   void refine(const cv::Mat& gray) {
@@ -126,6 +184,7 @@ class ArucoDetector final : public Detector {
   cv::Mat gray_;
   aruco_library::Corners corners_;
   std::vector<int> ids_;
+  aruco_library::Corners rejected_;
 };
 
 }  // namespace

@@ -17,20 +17,23 @@ namespace relock::aruco_library {
 
 using Corners = std::vector<std::vector<cv::Point2f>>;
 
+// `rejected`: quadrilaterals that are no marker of the dictionary.
 #ifdef RELOCK_ARUCO_IN_OBJDETECT
 inline cv::aruco::Dictionary dictionary(int name) { return cv::aruco::getPredefinedDictionary(name); }
 
 inline void detect(const cv::Mat& gray, const cv::aruco::Dictionary& dictionary,
-                   const cv::aruco::DetectorParameters& parameters, Corners& corners, std::vector<int>& ids) {
-  cv::aruco::ArucoDetector(dictionary, parameters).detectMarkers(gray, corners, ids);
+                   const cv::aruco::DetectorParameters& parameters, Corners& corners, std::vector<int>& ids,
+                   Corners& rejected) {
+  cv::aruco::ArucoDetector(dictionary, parameters).detectMarkers(gray, corners, ids, rejected);
 }
 #else
 inline cv::aruco::Dictionary dictionary(int name) { return *cv::aruco::getPredefinedDictionary(name); }
 
 inline void detect(const cv::Mat& gray, const cv::aruco::Dictionary& dictionary,
-                   const cv::aruco::DetectorParameters& parameters, Corners& corners, std::vector<int>& ids) {
+                   const cv::aruco::DetectorParameters& parameters, Corners& corners, std::vector<int>& ids,
+                   Corners& rejected) {
   cv::aruco::detectMarkers(gray, cv::makePtr<cv::aruco::Dictionary>(dictionary), corners, ids,
-                           cv::makePtr<cv::aruco::DetectorParameters>(parameters));
+                           cv::makePtr<cv::aruco::DetectorParameters>(parameters), rejected);
 }
 #endif
 

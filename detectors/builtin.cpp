@@ -2,6 +2,8 @@
 
 #include "detectors/apriltag.h"
 #include "detectors/aruco.h"
+#include "detectors/ring_marker.h"
+#include "detectors/ring_paper.h"
 
 namespace relock {
 
@@ -17,6 +19,12 @@ void add_builtin_detectors(Registry<DetectorEntry>& registry) {
        .options = apriltag_option_list(),
        .reads = [](const Options& o) { return std::vector{apriltag_family(apriltag_options(o))}; },
        .make = [](const Options& o, std::uint64_t) { return apriltag_detector(apriltag_options(o)); }});
+  registry.add(
+      {.name = "ring-paper",
+       .sentence = "ring markers under motion blur, as the paper that proposed them finds them",
+       .options = ring_paper_option_list(),
+       .reads = [](const Options& o) { return std::vector{ring_family(ring_paper_options(o).bits)}; },
+       .make = [](const Options& o, std::uint64_t) { return ring_paper_detector(ring_paper_options(o)); }});
 }
 
 }  // namespace relock

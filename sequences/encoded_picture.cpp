@@ -30,11 +30,14 @@ cv::Mat decode_picture(std::span<const std::uint8_t> bytes) {
   try {
     // A Mat has no const elements; these are not written to.
     const cv::Mat file(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<std::uint8_t*>(bytes.data()));
-    decoded = cv::imdecode(file, cv::IMREAD_ANYCOLOR);
+    decoded = cv::imdecode(file, cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH);
   } catch (const cv::Exception&) {
     decoded.release();
   }
   if (decoded.empty()) throw Error("this is no picture that can be read");
+  if (decoded.depth() == CV_16U) decoded.convertTo(decoded, CV_8U, 1. / 257);
+  if (decoded.depth() != CV_8U)
+    throw Error("this picture's pixels are neither of 8 nor of 16 bits; relock reads no others");
   return decoded;
 }
 

@@ -3,21 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
-#include "cli/print/targets.h"
+#include "cli/flights.h"
 #include "cli/runs/folder.h"
-#include "cli/runs/pool.h"
-#include "cli/runs/truth.h"
-#include "cli/terminal.h"
 #include "core/error.h"
 #include "eval/scores/scores.h"
-#include "sequences/simulator/flight.h"
 
 namespace relock::maps {
 namespace {
-
-constexpr int kMethodFailed = 1, kInputAtFault = 2, kInterrupted = 130;
 
 Plan plan_of_runs(const SweepPlan& plan, const PlannedFlight& flight) {
   Plan runs;
@@ -93,20 +86,9 @@ std::vector<StoredRun> runs_of(const SweepMatrix& sweep, std::size_t condition) 
 }  // namespace
 
 void fly_missing(const SweepPlan& plan, int jobs) {
-  std::vector<PlannedFlight> missing;
-  std::int64_t frames = 0, flown = 0;
-  for (PlannedFlight& flight : flights_of(plan)) {
-    if (is_flown(plan, flight)) continue;
-    frames += simulator::frames_of(flight.plan);
-    missing.push_back(std::move(flight));
-  }
-  Progress progress(fmt::format("simulating {} flights", missing.size()), frames);
-  for (const PlannedFlight& flight : missing) {
-    simulator::FlightOptions options;
-    options.jobs = jobs;
-    options.progress = [&](std::int64_t done) { progress.done(flown + done); };
-    flown += simulator::fly(flight.plan, print_target, folder_of(plan, flight), options).frames;
-  }
+  std::vector<NamedFlight> flights;
+  for (PlannedFlight& flight : flights_of(plan)) flights.push_back({flight.name, std::move(flight.plan)});
+  relock::fly_missing(plan.out, flights, jobs);
 }
 
 SweepMatrix sweep_matrix(const SweepPlan& plan, const std::vector<PlannedFlight>& flights,
@@ -122,36 +104,6 @@ SweepMatrix sweep_matrix(const SweepPlan& plan, const std::vector<PlannedFlight>
     append(sweep, std::move(runs));
   }
   return sweep;
-}
-
-int make_missing_runs(const SweepMatrix& sweep, int jobs) {
-  const Matrix& matrix = sweep.matrix;
-  for (const Sequence& sequence : matrix.sequences)
-    store_truth(matrix.runs.front().folder.parent_path().parent_path().parent_path(), sequence.recording,
-                sequence.fingerprint);
-  std::vector<std::size_t> todo;
-  for (std::size_t run = 0; run < matrix.runs.size(); ++run)
-    if (!matrix.runs[run].there) todo.push_back(run);
-  std::size_t complete = matrix.runs.size() - todo.size();
-  std::map<std::string, std::size_t> failures;  // by method: so many runs
-  std::optional<std::string> fault;
-  PoolReport report;
-  report.finished = [&](std::size_t run, const FinishedRun& done) {
-    ++complete;
-    if (!done.record.failures.empty()) ++failures[matrix.runs[run].method.text];
-  };
-  report.not_made = [&](std::size_t, const std::string& why) { fault = why; };
-  if (!make_runs(matrix, todo, {}, jobs, report)) {
-    fmt::print(stderr,
-               "relock: interrupted; {} of {} runs are complete and kept, and the same command goes on from "
-               "there\n",
-               complete, matrix.runs.size());
-    return kInterrupted;
-  }
-  for (const auto& [method, runs] : failures)
-    fmt::print(stderr, "relock: {} failed in {} runs, and is scored as failed from there on\n", method, runs);
-  if (fault) fmt::print(stderr, "relock: {}\n", *fault);
-  return fault ? kInputAtFault : failures.empty() ? 0 : kMethodFailed;
 }
 
 MeasuredMap measure(const SweepPlan& plan, const SweepMatrix& sweep, const Methods& methods) {

@@ -21,9 +21,6 @@ struct SweepMatrix {
 SweepMatrix sweep_matrix(const SweepPlan& plan, const std::vector<PlannedFlight>& flights,
                          const Methods& methods);
 
-/// Makes the runs that are missing; returns the exit status: 130 after an interrupt, which is told.
-int make_missing_runs(const SweepMatrix& sweep, int jobs);
-
 /// Scores all runs, which are there.
 MeasuredMap measure(const SweepPlan& plan, const SweepMatrix& sweep, const Methods& methods);
 

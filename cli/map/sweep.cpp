@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/files.h"
+#include "cli/flights.h"
 #include "core/error.h"
 #include "sequences/simulator/camera.h"
 
@@ -135,16 +135,11 @@ std::vector<PlannedFlight> flights_of(const SweepPlan& plan) {
 }
 
 std::filesystem::path folder_of(const SweepPlan& plan, const PlannedFlight& flight) {
-  return plan.out / "flights" / flight.name;
+  return flight_folder(plan.out, flight.name);
 }
 
 bool is_flown(const SweepPlan& plan, const PlannedFlight& flight) {
-  const auto folder = folder_of(plan, flight);
-  if (!std::filesystem::exists(folder)) return false;
-  if (read_file(folder / "flight.toml") != simulator::flight_plan_text(flight.plan))
-    throw Error(fmt::format("{} was flown by another plan; choose another --out or remove {}",
-                            folder.string(), plan.out.string()));
-  return true;
+  return relock::is_flown(plan.out, {flight.name, flight.plan});
 }
 
 std::string gaps_of(const SweepPlan& plan, std::size_t column) {

@@ -25,6 +25,7 @@ class Answer {
 
   Sightings sightings;
   std::vector<std::string> families;
+  std::vector<Stage> stages;
 
  private:
   template <class Act>
@@ -39,7 +40,8 @@ class Answer {
 
   std::optional<std::string> fault_;
   relock_answer table_{
-      sizeof(relock_answer), this,
+      sizeof(relock_answer),
+      this,
       [](void* host, const relock_sighting* seen) noexcept {
         take(host, [&](Answer& a) {
           if (!seen) throw Error("it answers with a sighting that is NULL");
@@ -51,6 +53,12 @@ class Answer {
       },
       [](void* host, const char* sentence) noexcept {
         take(host, [&](Answer& a) { a.fault_ = sentence ? sentence : "it fails and does not say why"; });
+      },
+      [](void* host, const relock_stage* stage) noexcept {
+        take(host, [&](Answer& a) {
+          if (!stage) throw Error("it shows a stage that is NULL");
+          a.stages.push_back(from_c(*stage));
+        });
       }};
 };
 
@@ -88,23 +96,45 @@ class Object {
   void* object_ = nullptr;
 };
 
-class PluginDetector final : public Detector {
+/// Interface: Detector, or one that can more.
+template <class Interface>
+class DetectorOfPlugin : public Interface {
  public:
-  PluginDetector(const relock_method& method, const Options& options, std::uint64_t seed)
-      : object_(method, options, seed) {}
+  explicit DetectorOfPlugin(std::unique_ptr<Object> object) : object_(std::move(object)) {}
 
   Sightings detect(const Image& image, const std::optional<Box>& where) override {
     const relock_image picture = to_c(image);
     const relock_box box = to_c(where.value_or(Box{}));
     Answer answer;
-    object_.method().detect(object_.get(), &picture, where ? &box : nullptr, answer.table());
+    object_->method().detect(object_->get(), &picture, where ? &box : nullptr, answer.table());
     answer.check();
     return std::move(answer.sightings);
   }
 
- private:
-  Object object_;
+ protected:
+  std::unique_ptr<Object> object_;
 };
+
+class ExplainingDetectorOfPlugin final : public DetectorOfPlugin<ExplainingDetector> {
+ public:
+  using DetectorOfPlugin::DetectorOfPlugin;
+
+  std::vector<Stage> explain(const Image& image, const std::optional<Box>& where) override {
+    const relock_image picture = to_c(image);
+    const relock_box box = to_c(where.value_or(Box{}));
+    Answer answer;
+    object_->method().explain(object_->get(), &picture, where ? &box : nullptr, answer.table());
+    answer.check();
+    return std::move(answer.stages);
+  }
+};
+
+bool shows_stages(const Object& object) {
+  Answer answer;
+  const bool shows = object.method().explain(object.get(), nullptr, nullptr, answer.table()) != 0;
+  answer.check();
+  return shows;
+}
 
 class PluginTracker final : public Tracker {
  public:
@@ -154,7 +184,14 @@ std::vector<std::string> families(const relock_method& method, const Options& op
 
 std::unique_ptr<Detector> make_detector(const relock_method& method, const Options& options,
                                         std::uint64_t seed) {
-  return std::make_unique<PluginDetector>(method, options, seed);
+  return std::make_unique<DetectorOfPlugin<Detector>>(std::make_unique<Object>(method, options, seed));
+}
+
+std::unique_ptr<Detector> make_explaining_detector(const relock_method& method, const Options& options,
+                                                   std::uint64_t seed) {
+  auto object = std::make_unique<Object>(method, options, seed);
+  if (shows_stages(*object)) return std::make_unique<ExplainingDetectorOfPlugin>(std::move(object));
+  return std::make_unique<DetectorOfPlugin<Detector>>(std::move(object));
 }
 
 std::unique_ptr<Tracker> make_tracker(const relock_method& method, const Options& options,

@@ -19,6 +19,9 @@ std::vector<std::string> families(const relock_method& method, const Options& op
 
 std::unique_ptr<Detector> make_detector(const relock_method& method, const Options& options,
                                         std::uint64_t seed);
+/// The same for a method that has `explain`: an ExplainingDetector, if this one shows its stages.
+std::unique_ptr<Detector> make_explaining_detector(const relock_method& method, const Options& options,
+                                                   std::uint64_t seed);
 std::unique_ptr<Tracker> make_tracker(const relock_method& method, const Options& options,
                                       std::uint64_t seed);
 

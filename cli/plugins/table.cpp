@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <cstring>
 #include <set>
 
@@ -14,6 +15,8 @@ namespace {
 constexpr std::uint64_t kMany = 1000;        // more methods or options than this are a slip
 constexpr std::size_t kLongest = 4096;       // likewise texts
 constexpr std::uint32_t kLargest = 1 << 16;  // likewise structs
+// relock_method as it was at first; `explain` came later.
+constexpr std::size_t kFirstMethod = offsetof(relock_method, explain);
 
 bool struct_fits(std::uint32_t size, std::size_t least) {
   return size >= least && size <= kLargest && size % alignof(void*) == 0;
@@ -24,8 +27,7 @@ void check_version(const relock_plugin* table) {
     throw Error(
         fmt::format("it speaks {} of the plug-in interface, not {}; build it with this relock's headers",
                     table ? fmt::format("version {}", table->abi) : "another version", RELOCK_PLUGIN_ABI));
-  if (!struct_fits(table->size, sizeof(relock_plugin)) ||
-      !struct_fits(table->method_size, sizeof(relock_method)) ||
+  if (!struct_fits(table->size, sizeof(relock_plugin)) || !struct_fits(table->method_size, kFirstMethod) ||
       !struct_fits(table->option_size, sizeof(relock_option)))
     throw Error(
         fmt::format("its structs are of {}, {} and {} bytes, not {}, {} and {}; build it with this "
@@ -101,12 +103,12 @@ void check_functions(const relock_method& m, const std::string& name) {
   if (missing) throw Error(fmt::format("{} has no function {}", name, missing));
 }
 
-DetectorEntry detector_of(const relock_method& m) {
+DetectorEntry detector_of(const relock_method& m, std::uint32_t method_size) {
   DetectorEntry entry;
+  const bool explains = method_size >= kFirstMethod + sizeof m.explain && m.explain;
   if (m.reads) entry.reads = [&m](const Options& options) { return plugin::families(m, options); };
-  entry.make = [&m](const Options& options, std::uint64_t seed) {
-    return plugin::make_detector(m, options, seed);
-  };
+  const auto make = explains ? &plugin::make_explaining_detector : &plugin::make_detector;
+  entry.make = [&m, make](const Options& options, std::uint64_t seed) { return make(m, options, seed); };
   return entry;
 }
 
@@ -140,7 +142,7 @@ Methods methods_of(const relock_plugin* table, const PluginFile& file) {
       registry.add(std::move(entry));
     };
     if (m.kind == RELOCK_DETECTOR) {
-      add(methods.detectors, detector_of(m));
+      add(methods.detectors, detector_of(m, table->method_size));
     } else {
       add(methods.trackers, tracker_of(m));
     }

@@ -66,13 +66,6 @@ bool left_behind(const fs::path& path) {
   return pid > 0 && (pid == getpid() || ::kill(static_cast<pid_t>(pid), 0) != 0);
 }
 
-void remove_left_behind(const fs::path& out) {
-  std::vector<fs::path> all;
-  for (const auto& entry : fs::recursive_directory_iterator(out))
-    if (left_behind(entry.path())) all.push_back(entry.path());
-  for (const fs::path& path : all) fs::remove_all(path);
-}
-
 StoredRun read_run(const fs::path& folder, RunRecord record, const Recording& recording) {
   StoredRun run{folder, std::move(record), {}};
   run.trajectory.reads_codes = run.record.reads_codes;
@@ -159,6 +152,13 @@ ResultsLock::ResultsLock(const fs::path& out) {
 
 ResultsLock::~ResultsLock() {
   if (file_ >= 0) close(file_);
+}
+
+void remove_left_behind(const fs::path& out) {
+  std::vector<fs::path> all;
+  for (const auto& entry : fs::recursive_directory_iterator(out))
+    if (left_behind(entry.path())) all.push_back(entry.path());
+  for (const fs::path& path : all) fs::remove_all(path);
 }
 
 ResultsLock prepare_results(const fs::path& out) {

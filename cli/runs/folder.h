@@ -51,6 +51,9 @@ class ResultsLock {
   int file_ = -1;
 };
 
+/// Removes what programs that were killed left half written in `out` and below.
+void remove_left_behind(const std::filesystem::path& out);
+
 /// Makes `out` ready and locks it: creates it, or checks that it is relock's, and removes what a program that
 /// was killed left half done. Throws Error when it belongs to something else or cannot be written.
 ResultsLock prepare_results(const std::filesystem::path& out);

@@ -22,7 +22,7 @@ constexpr Range kRadius_px{6, 110};
 constexpr double kBeyond_px = 60;      // things lie up to here outside the picture, for what a blur brings in
 constexpr double kPrinted_px_m = 300;  // px of a picture that a metre of a poster or a wall has
 
-/// Where a thing goes. `random` is the thing's own.
+/// Where a thing goes. `random` is the thing's own. No call draws two of its arguments: their order is not defined.
 struct Spot {
   Canvas& canvas;
   cv::Point2d middle;
@@ -30,6 +30,8 @@ struct Spot {
   Random random;
 
   double between(double low, double high) { return drawn(random, {low, high}); }
+  /// A direction without a sign.
+  double turn() { return pi * random.uniform(); }
   cv::Scalar grey(double low = 0, double high = 255) { return cv::Scalar(between(low, high)); }
   /// `along` and `across` of a direction, from the middle.
   cv::Point2d at(double turn, double along, double across) const {
@@ -46,27 +48,28 @@ struct Spot {
 };
 
 void blob(Spot& spot) {
-  spot.canvas.ellipse(spot.middle, {spot.radius, spot.radius * spot.between(0.3, 1)},
-                      pi * spot.random.uniform(), spot.grey());
+  const double turn = spot.turn(), flat = spot.between(0.3, 1);
+  spot.canvas.ellipse(spot.middle, {spot.radius, spot.radius * flat}, turn, spot.grey());
 }
 
 void hoop(Spot& spot) {
   // Drawn as two, so that something else is inside.
-  const double turn = pi * spot.random.uniform(), flat = spot.between(0.3, 1);
+  const double turn = spot.turn(), flat = spot.between(0.3, 1);
   const double width = std::min(spot.between(1, 8), 0.45 * spot.radius * flat);
   spot.canvas.ellipse(spot.middle, {spot.radius, spot.radius * flat}, turn, spot.grey());
   spot.canvas.ellipse(spot.middle, {spot.radius - width, spot.radius * flat - width}, turn, spot.grey());
 }
 
 void slab(Spot& spot) {
-  spot.bar(pi * spot.random.uniform(), 0, 0, 2 * spot.radius, spot.radius * spot.between(0.2, 2),
-           spot.grey());
+  const double turn = spot.turn(), width = spot.radius * spot.between(0.2, 2);
+  spot.bar(turn, 0, 0, 2 * spot.radius, width, spot.grey());
 }
 
 void shard(Spot& spot) {
   std::vector<cv::Point2d> corners;
-  double turn = 2 * pi * spot.random.uniform();
-  for (int i = 0; i < 3 + static_cast<int>(spot.random.below(2)); ++i) {
+  double turn = 2 * spot.turn();
+  const auto count = 3 + spot.random.below(2);
+  for (std::uint64_t i = 0; i < count; ++i) {
     corners.push_back(spot.at(turn, spot.radius * spot.between(0.5, 1.3), 0));
     turn += spot.between(1.2, 2);
   }
@@ -74,27 +77,32 @@ void shard(Spot& spot) {
 }
 
 void rod(Spot& spot) {
-  spot.bar(pi * spot.random.uniform(), 0, 0, spot.between(20, 280), spot.between(0.5, 7), spot.grey());
+  const double turn = spot.turn(), length = spot.between(20, 280), width = spot.between(0.5, 7);
+  spot.bar(turn, 0, 0, length, width, spot.grey());
 }
 
 void grating(Spot& spot) {
   const auto bars = 3 + static_cast<int>(spot.random.below(14));
-  const double turn = pi * spot.random.uniform(), period = spot.between(3, 20), length = spot.between(10, 80);
+  const double turn = spot.turn(), period = spot.between(3, 20), length = spot.between(10, 80);
   const cv::Scalar one = spot.grey(), other = spot.grey();
-  for (int i = 0; i < bars; ++i)
-    spot.bar(turn, 0, (i - bars / 2.0) * period * (spot.random.chance(0.75) ? 1 : 0.9), length,
-             period * spot.between(0.3, 0.6), i % 2 == 0 ? one : other);
+  for (int i = 0; i < bars; ++i) {
+    const double apart = period * (spot.random.chance(0.75) ? 1 : 0.9);
+    spot.bar(turn, 0, (i - bars / 2.0) * apart, length, period * spot.between(0.3, 0.6),
+             i % 2 == 0 ? one : other);
+  }
 }
 
 void writing(Spot& spot) {
   constexpr std::array words = {"STOP 42", "hello world", "Ring 8",  "QR|||",
                                 "0O0O0",   "EXIT",        "(((o)))", "OOO"};
-  spot.canvas.write(words[spot.random.below(words.size())], spot.middle, spot.between(6, 42), spot.grey());
+  const std::size_t word = spot.random.below(words.size());
+  const double height = spot.between(6, 42);
+  spot.canvas.write(words[word], spot.middle, height, spot.grey());
 }
 
 void checks(Spot& spot) {
   const auto cells = 2 + static_cast<int>(spot.random.below(6));
-  const double turn = spot.random.chance(0.5) ? 0 : pi * spot.random.uniform(), cell = spot.between(4, 18);
+  const double turn = spot.random.chance(0.5) ? 0 : spot.turn(), cell = spot.between(4, 18);
   const cv::Scalar one = spot.grey(), other = spot.grey();
   for (int i = 0; i < cells * cells; ++i)
     spot.bar(turn, (i % cells - cells / 2.0) * cell, (i / cells - cells / 2.0) * cell, cell, cell,
@@ -104,7 +112,7 @@ void checks(Spot& spot) {
 /// Rings as a marker has, dark and bright in turn and now and then seen askew. Each is 0.45 to 0.93 as large as the
 /// one around it: by chance, no more than that, could these be the radii of a code.
 void ring_target(Spot& spot) {
-  const double turn = pi * spot.random.uniform(), flat = spot.random.chance(0.5) ? 1 : spot.between(0.5, 1);
+  const double turn = spot.turn(), flat = spot.random.chance(0.5) ? 1 : spot.between(0.5, 1);
   cv::Scalar dark = spot.grey(0, 60), bright = spot.grey(150, 255);
   if (spot.random.chance(0.2)) std::swap(dark, bright);
   const auto disc = [&](double radius, const cv::Scalar& colour) {
@@ -141,9 +149,7 @@ void lay(Spot& spot, const cv::Mat& picture, cv::Size2d size, double turn) {
                  cv::BORDER_TRANSPARENT);
 }
 
-double askew(Spot& spot) {
-  return spot.random.chance(0.5) ? spot.between(-0.2, 0.2) : 2 * pi * spot.random.uniform();
-}
+double askew(Spot& spot) { return spot.random.chance(0.5) ? spot.between(-0.2, 0.2) : 2 * spot.turn(); }
 
 void print(Spot& spot) {
   // Not Print::target: even rings may be a code.
@@ -152,11 +158,9 @@ void print(Spot& spot) {
   const double radius = std::max(spot.radius, 25.0);
   const cv::Size2d size(2 * radius, 2 * radius * spot.between(0.7, 1.35));
   const Print kind = prints[spot.random.below(prints.size())];
-  lay(spot,
-      poster(kind, {size.width / kPrinted_px_m, size.height / kPrinted_px_m},
-             kPrinted_px_m * spot.canvas.texels_per_m(), spot.random.fork(1))
-          .picture,
-      size, askew(spot));
+  const Canvas sheet = poster(kind, {size.width / kPrinted_px_m, size.height / kPrinted_px_m},
+                              kPrinted_px_m * spot.canvas.texels_per_m(), spot.random.fork(1));
+  lay(spot, sheet.picture, size, askew(spot));
 }
 
 /// A piece of a wall, or of a picture of a landscape: soft, so half as many texels do.
@@ -165,8 +169,8 @@ void piece(Spot& spot) {
   const cv::Size2d size(2 * radius, 2 * radius * spot.between(0.5, 1.2));
   const cv::Size2d size_m(size.width / kPrinted_px_m, size.height / kPrinted_px_m);
   if (spot.random.chance(0.4)) {
-    lay(spot, poster(Print::landscape, size_m, kPrinted_px_m, spot.random.fork(1)).picture, size,
-        askew(spot));
+    const Canvas view = poster(Print::landscape, size_m, kPrinted_px_m, spot.random.fork(1));
+    lay(spot, view.picture, size, askew(spot));
     return;
   }
   Canvas wall({0, 0, size_m.width, size_m.height}, kPrinted_px_m);
@@ -216,8 +220,9 @@ cv::Mat1b jumble(Size picture, const cv::Rect& area, int texels_per_px, const Ra
   const auto count = static_cast<std::uint64_t>(share * drawn(counted, {20, 160}));
   for (std::uint64_t i = 0; i < count; ++i) {
     Random own = random.fork(3).fork(i);
-    const cv::Point2d middle(drawn(own, {-kBeyond_px, picture.width + kBeyond_px}),
-                             drawn(own, {-kBeyond_px, picture.height + kBeyond_px}));
+    const cv::Point2d middle{
+        drawn(own, {-kBeyond_px, picture.width + kBeyond_px}),
+        drawn(own, {-kBeyond_px, picture.height + kBeyond_px})};  // braces: in this order
     const double radius = std::exp(drawn(own, {std::log(kRadius_px.low), std::log(kRadius_px.high)}));
     const auto draw = kinds[own.below(kinds.size())];
     Spot spot{canvas, middle, radius, own};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
@@ -69,20 +70,41 @@ Sampling sampling_of(const PrintedTarget& target, const Matrix3d& to_picture, co
   return made;
 }
 
-/// The part of the picture that the sheet may cover.
-cv::Rect reach_of(const PrintedTarget& target, const Matrix3d& to_picture, cv::Size picture) {
-  const cv::Rect whole({0, 0}, picture);
-  double left = 1e9, top = 1e9, right = -1e9, bottom = -1e9;
-  for (const double x : {-0.5, 0.5})
-    for (const double y : {-0.5, 0.5}) {
-      const Vector3d at = to_picture * Vector3d(x * target.sheet_m, y * target.sheet_m, 1);
-      if (!(at.z() > 1e-9)) return whole;  // it reaches beside the camera
-      left = std::min(left, at.x() / at.z()), right = std::max(right, at.x() / at.z());
-      top = std::min(top, at.y() / at.z()), bottom = std::max(bottom, at.y() / at.z());
+/// The part of the picture that the sheet may cover, row by row.
+class Reach {
+ public:
+  Reach(const PrintedTarget& target, const Matrix3d& to_picture, cv::Size picture) : picture_(picture) {
+    const double half = target.sheet_m / 2;
+    for (const Vec2 corner : {Vec2{-half, -half}, {half, -half}, {half, half}, {-half, half}}) {
+      const Vector3d at = to_picture * Vector3d(corner.x, corner.y, 1);
+      if (at.z() > 1e-9) corners_.push_back({at.x() / at.z(), at.y() / at.z()});
     }
-  const auto least = [](double at) { return static_cast<int>(std::floor(std::clamp(at, -1e6, 1e6))) - 1; };
-  return cv::Rect({least(left), least(top)}, cv::Point{least(right) + 4, least(bottom) + 4}) & whole;
-}
+  }
+
+  /// First column, and the one after the last; one pixel more than needed on either side.
+  std::pair<int, int> columns(int y) const {
+    if (corners_.size() < 4) return {0, picture_.width};  // it reaches beside the camera
+    double left = 1e6, right = -1e6;
+    for (std::size_t i = 0; i < 4; ++i) {
+      Vec2 upper = corners_[i], lower = corners_[(i + 1) % 4];
+      if (upper.y > lower.y) std::swap(upper, lower);
+      const double from = std::max(upper.y, y - 1.0), to = std::min(lower.y, y + 1.0);
+      if (!(from <= to)) continue;
+      for (const double at : {from, to}) {
+        const double part = lower.y > upper.y ? (at - upper.y) / (lower.y - upper.y) : 0;
+        const double x = upper.x + part * (lower.x - upper.x);
+        left = std::min({left, x, lower.y > upper.y ? x : lower.x});
+        right = std::max({right, x, lower.y > upper.y ? x : lower.x});
+      }
+    }
+    return {static_cast<int>(std::floor(std::max(left, 1.0))) - 1,
+            static_cast<int>(std::ceil(std::min(right, picture_.width - 2.0))) + 2};
+  }
+
+ private:
+  cv::Size picture_;
+  std::vector<Vec2> corners_;
+};
 
 /// The sheet between its samples, and how much of a place it covers.
 class Seen {
@@ -125,64 +147,56 @@ class Seen {
   float whole_u_, whole_v_;  // so far from the outermost samples, all of a place is covered
 };
 
-/// Where a row of places is on the sheet, in samples.
-struct Places {
-  std::vector<float> u, v;
-
-  explicit Places(std::size_t count) : u(count), v(count) {}
-
-  /// `place`: of the first, px; `step`: to the next.
-  void find(const Matrix3d& to_sheet, Vec2 place, double step) {
-    // The first in double; what is added over a row needs no more than float.
-    const Eigen::Vector3f first = (to_sheet * Vector3d(place.x, place.y, 1)).cast<float>(),
-                          along = (to_sheet.col(0) * step).cast<float>();
-    const float first_u = first(0), first_v = first(1), first_w = first(2), along_u = along(0),
-                along_v = along(1), along_w = along(2);
-    const int count = static_cast<int>(u.size());
-    float *us = u.data(), *vs = v.data();
-    for (int i = 0; i < count; ++i) {
-      const auto at = static_cast<float>(i);
-      const float w = first_w + at * along_w;
-      const float part = w > 0 ? 1 / w : -1e9F;  // behind the camera: nowhere on the sheet
-      us[i] = (first_u + at * along_u) * part;
-      vs[i] = w > 0 ? (first_v + at * along_v) * part : -1e9F;
-    }
-  }
-};
-
-/// Draws one after another of the rows of the picture from column `from` on.
+/// Draws one row after another.
 class Drawing {
  public:
-  Drawing(const Sampling& sampling, int from, int columns)
+  Drawing(const Sampling& sampling, int width)
       : sampling_(sampling),
         seen_(sampling),
-        from_(from),
-        sums_(static_cast<std::size_t>(columns)),
+        sums_(static_cast<std::size_t>(width)),
         covered_(sums_.size()),
-        places_(sums_.size() * static_cast<std::size_t>(sampling.places)) {}
+        u_(sums_.size() * static_cast<std::size_t>(sampling.places)),
+        v_(u_.size()) {}
 
-  void row(int y, float* row) {
+  /// From column `from` to before `to`.
+  void row(int y, int from, int to, float* row) {
     const int n = sampling_.places;
-    std::fill(sums_.begin(), sums_.end(), 0.0F);
-    std::fill(covered_.begin(), covered_.end(), 0.0F);
+    const auto count = static_cast<std::size_t>(to - from);
+    std::fill_n(sums_.begin(), count, 0.0F);
+    std::fill_n(covered_.begin(), count, 0.0F);
     for (int j = 0; j < n; ++j) {
-      places_.find(sampling_.to_sheet, {from_ - 0.5 + 0.5 / n, y - 0.5 + (j + 0.5) / n}, 1.0 / n);
+      find({from - 0.5 + 0.5 / n, y - 0.5 + (j + 0.5) / n}, 1.0 / n, n * (to - from));
       std::size_t place = 0;
-      for (std::size_t x = 0; x < sums_.size(); ++x)
-        for (int i = 0; i < n; ++i, ++place)
-          seen_.add(places_.u[place], places_.v[place], sums_[x], covered_[x]);
+      for (std::size_t x = 0; x < count; ++x)
+        for (int i = 0; i < n; ++i, ++place) seen_.add(u_[place], v_[place], sums_[x], covered_[x]);
     }
     const float share = 1.0F / static_cast<float>(n * n);
-    for (std::size_t x = 0; x < sums_.size(); ++x)
-      row[x] = share * sums_[x] + (1 - share * covered_[x]) * row[x];
+    for (std::size_t x = 0; x < count; ++x)
+      row[from + static_cast<int>(x)] =
+          share * sums_[x] + (1 - share * covered_[x]) * row[from + static_cast<int>(x)];
   }
 
  private:
+  /// Where places are on the sheet, in samples. `place`: the first, px; `step`: to the next.
+  void find(Vec2 place, double step, int count) {
+    // The first in double; what is added over a row needs no more than float.
+    const Eigen::Vector3f first = (sampling_.to_sheet * Vector3d(place.x, place.y, 1)).cast<float>(),
+                          along = (sampling_.to_sheet.col(0) * step).cast<float>();
+    const float first_u = first(0), first_v = first(1), first_w = first(2), along_u = along(0),
+                along_v = along(1), along_w = along(2);
+    float *us = u_.data(), *vs = v_.data();
+    for (int i = 0; i < count; ++i) {
+      const auto at = static_cast<float>(i);
+      const float w = first_w + at * along_w;
+      us[i] = w > 0 ? (first_u + at * along_u) / w : -1e9F;  // behind the camera: nowhere on the sheet
+      vs[i] = w > 0 ? (first_v + at * along_v) / w : -1e9F;
+    }
+  }
+
   const Sampling& sampling_;
   Seen seen_;
-  int from_;
   std::vector<float> sums_, covered_;  // of each pixel
-  Places places_;
+  std::vector<float> u_, v_;           // of each place
 };
 
 [[noreturn]] void refuse(const PrintedTarget& target, std::string_view what) {
@@ -205,9 +219,12 @@ void draw_sheet(const PrintedTarget& target, const Matrix3d& to_picture, const T
   // The sign that is in front of the camera is the middle's.
   const Vector3d middle = to_picture.col(2);
   if ((sampling.to_sheet * (middle / middle.z())).z() < 0) sampling.to_sheet = -sampling.to_sheet;
-  const cv::Rect reach = reach_of(target, to_picture, picture.size());
-  Drawing drawing(sampling, reach.x, reach.width);
-  for (int y = reach.y; y < reach.y + reach.height; ++y) drawing.row(y, picture[y] + reach.x);
+  const Reach reach(target, to_picture, picture.size());
+  Drawing drawing(sampling, picture.cols);
+  for (int y = 0; y < picture.rows; ++y) {
+    const auto [from, to] = reach.columns(y);
+    if (from < to) drawing.row(y, from, to, picture[y]);
+  }
 }
 
 }  // namespace relock::simulator

@@ -29,7 +29,7 @@ struct StillPlan {
   Size picture{640, 480};
   double focal_widths = 0.9;  ///< focal length, in widths of the picture; no distortion
   double shown = 1;           ///< share of the stills that show a target; the others do without
-  Range size_px{60, 150};     ///< D of metrics.md for a ring; the same distance for a square (Hang::size_px)
+  Range size_px{60, 150};     ///< a ring's D of metrics.md; for a square, of the circle in it (Hang::size_px)
   Range tilt_deg{0, 45};      ///< between the target's normal and the line of sight, towards any side
   Range turn_deg{0, 360};     ///< of the sheet in its own plane
   std::vector<double> blurs_px{0};  ///< lengths, in turn; towards any side, the same for all of a picture
@@ -48,8 +48,8 @@ void check_stills(const StillPlan& plan);
 
 struct Still {
   cv::Mat pixels;  ///< CV_8UC1
-  std::vector<TargetTruth>
-      targets;  ///< of each target asked for; all but the one shown absent. Exact: outline, both centres
+  /// Of each target asked for, in this order; all but the one shown are absent. Outline and both centres are exact.
+  std::vector<TargetTruth> targets;
   std::optional<std::size_t> shown;  ///< which target is in it, if one is
   SheetPose pose;                    ///< of the one shown, at the middle of the exposure
   double noise = 0;                  ///< standard deviation, grey levels

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstddef>
+#include <cstring>
 #include <filesystem>
+#include <functional>
 
 #include "cli/recordings.h"
 #include "core/error.h"
@@ -60,6 +63,54 @@ const Plugin& both() {
                     .make = [](const Options&, std::uint64_t) { return std::make_unique<Follow>(); }});
   });
   return made;
+}
+
+/// Shows the picture that it was given and a chart of where it was told to look.
+class Shows final : public ExplainingDetector {
+ public:
+  Sightings detect(const Image&, const std::optional<Box>&) override { return {}; }
+  std::vector<Stage> explain(const Image& image, const std::optional<Box>& where) override {
+    if (image.size().width == 1) throw Error("it is too narrow");
+    const Box box = where.value_or(Box{});
+    return {
+        {"given", "as it is", image},
+        {"box", "where to look", Chart{"x [px]", "y [px]", {{"a", {{box.x, box.y}, {1, 2}}}, {"b", {}}}}}};
+  }
+};
+
+const Plugin& showing() {
+  static const Plugin made("showing", [](Plugin& plugin) {
+    plugin.detector({.name = "shows", .sentence = "its stages", .make = [](const Options&, std::uint64_t) {
+                       return std::make_unique<Shows>();
+                     }});
+  });
+  return made;
+}
+
+std::unique_ptr<Detector> first_detector(const relock_plugin* table) {
+  const DetectorEntry entry = methods_of(table, {}).detectors.entries().at(0);
+  return entry.make(Options(entry.name, entry.options, {}), 1);
+}
+
+/// What is said of a stage that a plug-in in C shows.
+std::string fault_of_stage(const relock_stage& stage) {
+  static relock_stage shown;
+  shown = stage;
+  relock_method method = showing().table()->methods[0];
+  method.explain = [](void*, const relock_image* image, const relock_box*, const relock_answer* answer) {
+    if (image) answer->stage(answer->host, &shown);
+    return 1;
+  };
+  relock_plugin table = *showing().table();
+  table.methods = &method;
+  const auto detector = first_detector(&table);
+  const std::uint8_t pixel = 0;
+  try {
+    dynamic_cast<ExplainingDetector&>(*detector).explain(Image(&pixel, {1, 1}, PixelFormat::gray8, 1));
+  } catch (const Error& fault) {
+    return fault.what();
+  }
+  return "";
 }
 
 const std::uint8_t kPixels[12] = {};
@@ -121,6 +172,76 @@ TEST(PluginTable, ReadsAPluginOfLaterDaysWhoseStructsAreLonger) {
   const Methods read = methods_of(&table, {});
   EXPECT_EQ(read.detectors.entries().at(0).options.at(1).name, "second");
   EXPECT_EQ(read.trackers.entries().at(0).name, "follow");
+}
+
+TEST(PluginTable, CarriesADetectorsStagesThrough) {
+  const auto detector = first_detector(showing().table());
+  auto& shows = dynamic_cast<ExplainingDetector&>(*detector);
+  // Of a picture three pixels wide, in rows of four bytes.
+  const std::uint8_t pixels[8] = {1, 2, 3, 99, 4, 5, 6, 99};
+  const auto stages = shows.explain(Image(pixels, {3, 2}, PixelFormat::gray8, 4), Box{7, 8, 1, 1});
+  ASSERT_EQ(stages.size(), 2u);
+  EXPECT_EQ(stages[0].name + ": " + stages[0].sentence, "given: as it is");
+  EXPECT_EQ(std::get<Picture>(stages[0].shown).pixels, (std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6}));
+  const auto& chart = std::get<Chart>(stages[1].shown);
+  EXPECT_EQ(chart.x + chart.y, "x [px]y [px]");
+  ASSERT_EQ(chart.curves.size(), 2u);
+  EXPECT_EQ(chart.curves[0].name, "a");
+  EXPECT_EQ(chart.curves[0].points, (std::vector<Vec2>{{7, 8}, {1, 2}}));
+  EXPECT_TRUE(chart.curves[1].points.empty());
+  const std::uint8_t colours[6] = {1, 2, 3, 4, 5, 6};
+  const auto coloured = shows.explain(Image(colours, {2, 1}, PixelFormat::bgr8, 6));
+  EXPECT_EQ(std::get<Picture>(coloured[0].shown).pixels, (std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6}));
+  EXPECT_THROW(shows.explain(Image(pixels, {1, 1}, PixelFormat::gray8, 4)), Error);
+}
+
+TEST(PluginTable, ShowsNoStagesOfADetectorThatHasNone) {
+  EXPECT_EQ(dynamic_cast<ExplainingDetector*>(first_detector(both().table()).get()), nullptr);
+}
+
+TEST(PluginTable, ReadsAPluginOfFormerDaysWhoseMethodsHadNoStages) {
+  constexpr std::size_t old_size = offsetof(relock_method, explain);
+  for (const relock_plugin* today : {both().table(), showing().table()}) {
+    std::vector<std::max_align_t> bytes(
+        today->method_count * sizeof(relock_method) / sizeof(std::max_align_t) + 1);
+    auto* methods = reinterpret_cast<char*>(bytes.data());
+    for (std::uint64_t i = 0; i < today->method_count; ++i)
+      std::memcpy(methods + i * old_size, &today->methods[i], old_size);
+    relock_plugin table = *today;
+    table.method_size = old_size;
+    table.methods = reinterpret_cast<const relock_method*>(methods);
+    const auto detector = first_detector(&table);
+    EXPECT_EQ(detector->detect(kPicture).empty(), today == showing().table());
+    EXPECT_EQ(dynamic_cast<ExplainingDetector*>(detector.get()), nullptr);
+    EXPECT_EQ(methods_of(&table, {}).trackers.entries().size(), today->method_count - 1);
+  }
+}
+
+TEST(PluginTable, TellsWhatIsWrongWithAStage) {
+  const double points[2] = {1, 2};
+  const relock_curve curve{"a", points, 1};
+  const relock_stage picture{
+      sizeof(relock_stage), "n", "s", {kPixels, 4, 4, 3, RELOCK_GRAY8, 0}, nullptr, nullptr, nullptr, 0};
+  const relock_stage chart{sizeof(relock_stage), "n", "s", {}, "x", "y", &curve, 1};
+  const auto changed = [](relock_stage stage, const std::function<void(relock_stage&)>& change) {
+    change(stage);
+    return fault_of_stage(stage);
+  };
+  EXPECT_EQ(fault_of_stage(picture) + fault_of_stage(chart), "");
+  EXPECT_EQ(changed(picture, [](auto& s) { s.name = nullptr; }), "it shows a stage whose name is NULL");
+  EXPECT_EQ(changed(picture, [](auto& s) { s.size = 8; }).find("it shows a stage of 8 bytes, not "), 0u);
+  EXPECT_EQ(changed(picture, [](auto& s) { s.picture.stride = 3; }),
+            "it shows a stage whose picture is none: 4 x 3 px of format 0, 3 bytes a row");
+  EXPECT_NE(changed(picture, [](auto& s) { s.picture.format = 7; }).find("of format 7"), std::string::npos);
+  EXPECT_NE(changed(picture, [](auto& s) { s.picture.height = -3; }).find("4 x -3 px"), std::string::npos);
+  EXPECT_EQ(changed(chart, [](auto& s) { s.y = nullptr; }), "it shows a stage whose y is NULL");
+  EXPECT_EQ(changed(chart, [](auto& s) { s.curves = nullptr; }), "it shows a stage whose curves are NULL");
+  EXPECT_EQ(changed(chart,
+                    [](auto& s) {
+                      static const relock_curve no_points{"a", nullptr, 3};
+                      s.curves = &no_points;
+                    }),
+            "it shows a stage whose points are NULL");
 }
 
 TEST(EmbeddedRecordings, AreBesideTheInstalledProgramElseInTheSources) {

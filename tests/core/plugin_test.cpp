@@ -13,12 +13,14 @@ namespace {
 struct Heard {
   std::vector<Sighting> sightings;
   std::string error;
-  relock_answer table{sizeof(relock_answer), this,
+  relock_answer table{sizeof(relock_answer),
+                      this,
                       [](void* host, const relock_sighting* seen) {
                         static_cast<Heard*>(host)->sightings.push_back(plugin::from_c(*seen));
                       },
                       nullptr,
-                      [](void* host, const char* sentence) { static_cast<Heard*>(host)->error = sentence; }};
+                      [](void* host, const char* sentence) { static_cast<Heard*>(host)->error = sentence; },
+                      nullptr};
 };
 
 class ThrowsAlways final : public Detector {

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/opencv.h"
+#include "core/stage.h"
 #include "tests/detectors/rendered_marker.h"
 
 namespace relock {
@@ -62,6 +63,27 @@ TEST(ArucoDetector, FindsAMarkerWhosePaperEndsCloseToIt) {
     const auto picture = rendered_marker(aruco_cells("6x6_250", 7), square({90, 90}, 72, turn), {180, 180});
     EXPECT_EQ(aruco_detector({})->detect(view(picture)).size(), 1u) << turn;
   }
+}
+
+TEST(ArucoDetector, ShowsItsStagesWhateverItIsShown) {
+  const auto picture = rendered_marker(aruco_cells("6x6_250", 7), square({90, 90}, 72), {180, 180});
+  const auto detector = aruco_detector({});
+  auto& explaining = dynamic_cast<ExplainingDetector&>(*detector);
+  const auto names = [](const std::vector<Stage>& stages) {
+    std::string all;
+    for (const Stage& stage : stages)
+      all += stage.name + (std::get<Picture>(stage.shown).pixels.empty() ? "!" : " ");
+    return all;
+  };
+  const auto stages = explaining.explain(view(picture));
+  EXPECT_EQ(names(stages), "threshold candidates answer ");
+  EXPECT_EQ(stages.back().sentence.substr(0, 8), "1 marker");
+  // The border is white in the first one.
+  EXPECT_EQ(std::get<Picture>(stages[0].shown).view().row(90)[90 - 34], 255);
+  EXPECT_EQ(names(explaining.explain(view(cv::Mat(cv::Mat::zeros(1, 1, CV_8UC1))))),
+            "threshold candidates answer ");
+  EXPECT_EQ(names(explaining.explain(view(picture), Box{500, 500, 20, 20})), "candidates answer ");
+  EXPECT_THROW(explaining.explain(Image()), Error);
 }
 
 TEST(ArucoDetector, RefinesCornersSoThatTheyComeNearerToThePrint) {

@@ -8,7 +8,7 @@ namespace {
 TEST(BuiltinDetectors, CanAllBeMadeWithTheDefaultsTheyList) {
   Registry<DetectorEntry> registry;
   add_builtin_detectors(registry);
-  EXPECT_EQ(registry.names(), (std::vector<std::string>{"aruco", "apriltag"}));
+  EXPECT_EQ(registry.names(), (std::vector<std::string>{"aruco", "apriltag", "ring-paper"}));
   for (const DetectorEntry& entry : registry.entries()) {
     const Options defaults(entry.name, entry.options, {});
     EXPECT_NE(entry.make(defaults, 1), nullptr) << entry.name;
@@ -29,6 +29,8 @@ TEST(BuiltinDetectors, ReadTheFamilyThatTheirOptionsChoose) {
   EXPECT_EQ(reads("apriltag", {}), std::vector<std::string>{"apriltag36h11"});
   EXPECT_EQ(reads("apriltag", {{"family", "tagStandard41h12"}}),
             std::vector<std::string>{"apriltagStandard41h12"});
+  EXPECT_EQ(reads("ring-paper", {}), std::vector<std::string>{"ring2"});
+  EXPECT_EQ(reads("ring-paper", {{"bits", "3"}}), std::vector<std::string>{"ring3"});
 }
 
 }  // namespace

@@ -33,6 +33,8 @@ refused "a tracker without a start" "kcf needs a box to start from" run --sequen
 refused "no such pattern" 'the gap pattern "papr" is not known' run --sequence $clip --methods kcf --gaps papr
 refused "no labels" "no-labels.csv cannot be read" run --sequence $clip --methods kcf --labels "$work/no-labels.csv"
 refused "a detector without a code to read" "aruco reads codes of aruco6x6_250" run --sequence $clip --methods aruco
+refused "a detector without stages" "apriltag does not show its stages; these detectors do: " "$relock" detect $clip/images/00001.jpg --method apriltag --explain
+refused "a folder for stages that nobody asked for" "--out requires --explain" "$relock" detect $clip/images/00001.jpg --method aruco --out "$work/stages"
 refused "no results" "is no folder of results" "$relock" score "$work/none"
 
 mkdir "$work/clip"

@@ -12,6 +12,7 @@ package=$(echo "$work"/relock_*_*.deb)
 information=$(dpkg-deb --info "$package")
 expect_contains "it is called relock" "Package: relock" "$information"
 expect_contains "it depends on the OpenCV that it was built with" "libopencv-core" "$information"
+expect_contains "it recommends what draws plots" "Recommends: gnuplot-nox" "$information"
 expect_contains "it says what it is" "scores trackers and detectors" "$information"
 contents=$(dpkg-deb --contents "$package")
 for file in bin/relock lib/cmake/relock/relockConfig.cmake include/relock/core/plugin.h lib/librelock_eval.a \

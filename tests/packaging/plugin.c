@@ -32,6 +32,9 @@
 #ifndef DETECT
 #define DETECT detect
 #endif
+#ifndef STAGE
+#define STAGE "it rises"
+#endif
 #ifndef AT_ENTRY
 #define AT_ENTRY
 #endif
@@ -94,6 +97,24 @@ static void detect(void* object, const relock_image* image, const relock_box* wh
   answer->sighting(answer->host, &seen);
 }
 
+/* A picture of two pixels, and a chart. */
+static int explain(void* object, const relock_image* image, const relock_box* where,
+                   const relock_answer* answer) {
+  static const uint8_t pixels[] = {10, 20};
+  static const double points[] = {0, 1, 1, 3};
+  static const relock_curve curve = {"", points, 2};
+  relock_stage stage = {sizeof stage, "shades", "two of them", {pixels, 2, 2, 1, RELOCK_GRAY8, 0},
+                        NULL,         NULL,     NULL,          0};
+  (void)object, (void)where;
+  if (!image) return 1;
+  answer->stage(answer->host, &stage);
+  memset(&stage.picture, 0, sizeof stage.picture);
+  stage.name = "profile", stage.sentence = STAGE, stage.x = "x [px]", stage.y = "level";
+  stage.curves = &curve, stage.curve_count = 1;
+  answer->stage(answer->host, &stage);
+  return 1;
+}
+
 static void start(void* object, const relock_frame* frame, const relock_box* box,
                   const relock_answer* answer) {
   (void)frame, (void)answer;
@@ -114,8 +135,9 @@ static const relock_option options[] = {
 };
 static const relock_method methods[] = {
     {RELOCK_DETECTOR, 0, METHOD, "the whole picture", options, OPTION_COUNT, NULL, reads, create, free,
-     DETECT, NULL, NULL, NULL},
-    {RELOCK_TRACKER, 0, SECOND, "the start box", NULL, 0, NULL, NULL, create, free, NULL, start, track, NULL},
+     DETECT, NULL, NULL, NULL, explain},
+    {RELOCK_TRACKER, 0, SECOND, "the start box", NULL, 0, NULL, NULL, create, free, NULL, start, track, NULL,
+     NULL},
 };
 
 #ifndef NO_ENTRY

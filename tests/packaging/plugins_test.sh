@@ -43,6 +43,11 @@ expect "it is listed" 0 $?
 expect_contains "with its method and where that is from" "the whole picture (libplain.so)" "$listed"
 expect_contains "and its options" "margin=0 px" "$listed"
 expect_contains "it detects" "plain:1 at 319.50, 179.50" "$("$relock" detect "$picture" --method whole --plugin "$good")"
+explain() { "$relock" detect "$picture" --method whole --explain --out "$work/explained" --plugin "$1" 2>&1; }
+expect_contains "it shows its stages" "2 profile: it rises ($work/explained/2-profile.svg)" "$(explain "$good")"
+expect "as files" "1-shades.png 2-profile.svg" "$(cd "$work/explained" && echo *)"
+in_c "$work/libno.so" -DSTAGE=NULL
+expect_contains "half a stage is told" "it shows a stage whose sentence is NULL" "$(explain "$work/libno.so")"
 run() { "$relock" run --sequence "$clip" --out "$work/out" "$@" 2>&1; }
 expect_contains "it tracks" "53 frames in" "$(run --methods stays,kcf --plugin "$good" | grep '^stays')"
 verdicts() { cut -d, -f1-9 "$work/out/klahaag/recorded-once/$1/trajectory.csv"; }
