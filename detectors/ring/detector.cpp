@@ -73,10 +73,8 @@ class RingDetector final : public Detector {
   std::optional<Reading> look_closely(const Candidate& candidate) {
     const std::size_t level = coarse_level(least_radius(candidate));
     const auto begun = scored_starts(candidate, level);
-    if (getenv("RV")) printf("    cand %.1f %.1f R %.1f blur %.1f like %.3f n %zu dirs %d score %.3f code %zu starts %zu best %.3f\n", candidate.best.middle.x, candidate.best.middle.y, candidate.best.radius_px, candidate.best.blur, candidate.best.likeness, candidate.chords.size(), candidate.directions, candidate.score, candidate.best.code, begun.size(), begun.empty()?0:begun[0].likeness);
     if (begun.empty() || begun.front().likeness < 0.4) return {};
     const auto coarse = best_fit(begun, candidate.best.code, level);
-    if (getenv("RV")) { if (coarse) printf("       coarse %.1f %.1f R %.1f blur %.1f misfit %.3f\n", coarse->view.centre.x(), coarse->view.centre.y(), coarse->view.radius(), coarse->view.blur.norm(), coarse->misfit); else printf("       no coarse\n"); }
     if (!coarse) return {};
     return read(pyramid_, fitter_, model_, *coarse, {});
   }

@@ -98,7 +98,6 @@ std::optional<Reading> read(const Pyramid& pyramid, Fitter& fitter, RingModel& m
     const Bits now = bits_of(*lights);
     const bool agreed = !first && now.code == bits.code;
     bits = now;
-    if (getenv("RV")) { printf("       round %d code %zu doubt %.3f misfit %.3f gain %.1f psf %.2f lights", round, now.code, now.doubt, fit.misfit, lights->gain, psf); for (double l : lights->ring) printf(" %.2f", l); printf("\n"); }
     if (!agreed) continue;
     const bool possible_gain = lights->gain >= acceptance.least_gain && lights->gain + lights->offset <= 300;
     if (!possible_gain || fit.misfit > acceptance.most_misfit || bits.doubt > acceptance.most_doubt)

@@ -46,7 +46,8 @@ Vector2d middle_of_similar(const Chord& best, const std::vector<Chord>& chords) 
     if (std::abs(chord.radius_px - best.radius_px) > 0.1 * best.radius_px) continue;
     const Vector2d off = vector_of(chord.middle) - middle;
     const double reach = std::max(1.0, best.blur) * best.radius_px;
-    if (std::abs(off.dot(along)) > 0.12 * best.radius_px + 1 || std::abs(off.dot(across(along))) > reach) continue;
+    if (std::abs(off.dot(along)) > 0.12 * best.radius_px + 1 || std::abs(off.dot(across(along))) > reach)
+      continue;
     sum += vector_of(chord.middle), ++n;
   }
   return n > 0 ? Vector2d(sum / n) : middle;
@@ -170,8 +171,8 @@ LocalBlur local_blur(const cv::Mat& gray, const Vector2d& centre, double radius)
   return {across({std::cos(strongest), std::sin(strongest)}), std::hypot(xx - yy, 2 * xy) / (xx + yy + 1e-6)};
 }
 
-std::vector<View> starts(const Candidate& candidate, const std::vector<Chord>& all_chords, const LocalBlur& local_blur,
-                         double focal_px) {
+std::vector<View> starts(const Candidate& candidate, const std::vector<Chord>& all_chords,
+                         const LocalBlur& local_blur, double focal_px) {
   const Chord& best = candidate.best;
   const Vector2d along = vector_of(best.along), middle = vector_of(best.middle),
                  similar = middle_of_similar(best, all_chords);
@@ -198,10 +199,10 @@ std::vector<View> starts(const Candidate& candidate, const std::vector<Chord>& a
   const auto add = [&](const std::vector<View>& more) { all.insert(all.end(), more.begin(), more.end()); };
   if (best.blur < 0.5 && chords.size() >= 3) add(with_perspective(plain, focal_px));
   if (best.blur < 0.3 && chords.size() < 5 && best.likeness > 0.93) add(tilted_about(best, focal_px));
-  if (best.blur > 0.1 || local_blur.coherence > 0.2)
-    {
+  if (best.blur > 0.1 || local_blur.coherence > 0.2) {
     const Vector2d along_blur = 0.25 * std::max(best.blur, 0.3) * best.radius_px * local_blur.direction;
-    add(blurred_along(best, local_blur.direction, {middle, similar, similar - along_blur, similar + along_blur}));
+    add(blurred_along(best, local_blur.direction,
+                      {middle, similar, similar - along_blur, similar + along_blur}));
   }
   return all;
 }

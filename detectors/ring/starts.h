@@ -18,8 +18,8 @@ struct LocalBlur {
   double coherence = 0;  ///< 0: gradients of all directions, 1: of one only
 };
 /// `chords`: all of the picture.
-std::vector<View> starts(const Candidate& candidate, const std::vector<Chord>& chords, const LocalBlur& local_blur,
-                         double focal_px);
+std::vector<View> starts(const Candidate& candidate, const std::vector<Chord>& chords,
+                         const LocalBlur& local_blur, double focal_px);
 
 /// From the gradients within `radius` of a point: blur leaves those across itself.
 LocalBlur local_blur(const cv::Mat& gray, const Eigen::Vector2d& centre, double radius);
