@@ -11,7 +11,7 @@ namespace relock::ring {
 struct Exposure::Places {
   alignas(32) Row dx, dy;              // p - c
   alignas(32) Row near;                // 1 / w
-  alignas(32) Row qx, qy, ux, uy;      // the point and its movement
+  alignas(32) Row qx, qy, ux, uy, k;   // the point and its movement (Movements)
   alignas(32) Row jxx, jxy, jyx, jyy;  // dq/dp
   alignas(32) Row variance;            // of lens and pixel along the radius
 };
@@ -60,6 +60,7 @@ void Exposure::place(const float* x, const float* y, int n, Places& out) const {
     const float jyx = (sxy - qy * vx) * near, jyy = (syy - qy * vy) * near;
     const float nx = jxx * qx + jyx * qy, ny = jxy * qx + jyy * qy;
     out.dx[i] = dx, out.dy[i] = dy, out.near[i] = near;
+    out.k[i] = (vx * bx + vy * by) * near;
     out.qx[i] = qx, out.qy[i] = qy;
     out.ux[i] = jxx * bx + jxy * by, out.uy[i] = jyx * bx + jyy * by;
     out.jxx[i] = jxx, out.jxy[i] = jxy, out.jyx[i] = jyx, out.jyy[i] = jyy;
@@ -69,10 +70,11 @@ void Exposure::place(const float* x, const float* y, int n, Places& out) const {
 
 void Exposure::light_of(const RadialProfile& still, const SweptProfile* swept, const Places& at, int n,
                         SweptLight& out) const {
+  const Movements moved{at.qx, at.qy, at.ux, at.uy, at.k};
   if (swept)
-    swept->mean(at.qx, at.qy, at.ux, at.uy, n, out);
+    swept->mean(moved, n, out);
   else
-    still.mean(at.qx, at.qy, at.ux, at.uy, at.variance, n, samples_, out);
+    still.mean(moved, at.variance, n, samples_, out);
 }
 
 bool Exposure::any_near_edge(const Places& at, int n) const {

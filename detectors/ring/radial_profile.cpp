@@ -81,8 +81,8 @@ double RadialProfile::slope(double radius, double sigma) const {
 }
 
 RELOCK_VECTOR_CLONES
-void RadialProfile::mean(const float* qx, const float* qy, const float* ux, const float* uy,
-                         const float* variance, int n, int moments, SweptLight& out) const {
+void RadialProfile::mean(const Movements& moved, const float* variance, int n, int moments, SweptLight& out) const {
+  const float *qx = moved.qx, *qy = moved.qy, *ux = moved.ux, *uy = moved.uy, *k = moved.k;
   const float step = 1 / static_cast<float>(moments);
   const float* table = table_.data();
   const std::int32_t* ranks = levels().rank;
@@ -101,7 +101,8 @@ void RadialProfile::mean(const float* qx, const float* qy, const float* ux, cons
     const float t = (static_cast<float>(moment) + 0.5f) * step - 0.5f;
     RELOCK_INDEPENDENT
     for (int i = 0; i < n; ++i) {
-      const float x = qx[i] + t * ux[i], y = qy[i] + t * uy[i];
+      const float s = t / (1 + k[i] * t);
+      const float x = qx[i] + s * ux[i], y = qy[i] + s * uy[i];
       const float radius = std::sqrt(x * x + y * y + 1e-8f);
       float place = radius * kPerRadius;
       place = place < kSamples - 1 ? place : kSamples - 1;
@@ -110,7 +111,7 @@ void RadialProfile::mean(const float* qx, const float* qy, const float* ux, cons
       const float g = slope / radius * step, gx = g * x, gy = g * y;
       out.mean[i] += step * (value + slope * (place - static_cast<float>(sample)) * (1 / kPerRadius));
       out.by_qx[i] += gx, out.by_qy[i] += gy;
-      out.by_ux[i] += t * gx, out.by_uy[i] += t * gy;
+      out.by_ux[i] += s * gx, out.by_uy[i] += s * gy;
     }
   }
 }

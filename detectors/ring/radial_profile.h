@@ -12,6 +12,15 @@ namespace relock::ring {
 constexpr int kBlock = 64;
 using Row = float[kBlock];
 
+/// How some points of the marker's plane move over the exposure, from t = -1/2 to 1/2, when the picture moves evenly:
+///
+///     q(t) = q + u t / (1 + k t)
+///
+/// on a straight line, and the slower the farther they get away: k is by what part of itself the depth changes.
+struct Movements {
+  const float *qx, *qy, *ux, *uy, *k;
+};
+
 /// The mean of a marker's light at some points while the marker moves, and how it changes with each point q and
 /// its movement u, in the marker's plane.
 struct SweptLight {
@@ -30,11 +39,10 @@ class RadialProfile {
   static constexpr double kLeastSigma = 0.004, kSigmaRatio = 1.2;
   static constexpr int kSigmas = 24;
 
-  /// At n <= kBlock points (qx, qy), smoothed by Gaussians of these variances, while they move by (ux, uy) from
-  /// q - u/2 to q + u/2: the mean over the middles of `moments` equal parts, each smoothed by its own length, so that
-  /// few are enough for short movements. With the nearest sigma that there is, linearly between radii.
-  void mean(const float* qx, const float* qy, const float* ux, const float* uy, const float* variance, int n,
-            int moments, SweptLight& out) const;
+  /// At n <= kBlock points, smoothed by Gaussians of these variances, while they move: the mean over the middles of
+  /// `moments` equal parts of the time, each smoothed by its own length, so that few are enough for short movements.
+  /// With the nearest sigma that there is, linearly between radii.
+  void mean(const Movements& moved, const float* variance, int n, int moments, SweptLight& out) const;
 
   /// The value at a radius, and its slope, without tables.
   double value(double radius, double sigma) const;

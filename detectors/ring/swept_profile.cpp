@@ -10,6 +10,8 @@ namespace {
 
 constexpr int kSamples = 256, kNumbers = 4;
 constexpr float kPerRadius = static_cast<float>((kSamples - 1) / SweptProfile::kEnd);
+constexpr int kMoments = 2048;
+constexpr float kMomentsPerRadius = static_cast<float>((kMoments - 1) / (1.5 * SweptProfile::kEnd));
 
 /// The profile along the radius, fine enough to integrate over.
 class FineProfile {
@@ -41,6 +43,12 @@ SweptProfile::SweptProfile(const RadialProfile& profile, double sigma)
   constexpr int kSteps = 4;  // of the integration, between two samples
   const double step = kEnd / (kSamples - 1) / kSteps;
   const FineProfile fine(profile, sigma);
+  double moment = 0;
+  for (int i = 0; i <= kMoments; ++i) {  // one more, so that there is always a next one
+    moment_.push_back(static_cast<float>(moment));
+    const double radius = (i + 0.5) / kMomentsPerRadius;
+    moment += fine.value(radius) * radius / kMomentsPerRadius;
+  }
   float* out = table_.data();
   for (int row = 0; row < kSamples; ++row) {
     const double y = row * step * kSteps;
@@ -58,41 +66,80 @@ SweptProfile::SweptProfile(const RadialProfile& profile, double sigma)
   }
 }
 
+namespace {
+
+/// The movement of a block of points in coordinates along it (x) and across it (y).
+struct Along {
+  alignas(32) Row ex, ey;  // the direction
+  alignas(32) Row x, y, inverse;  // inverse of the length
+  alignas(32) Row ahead, behind;  // x at both ends
+  alignas(32) Row s1, s0;         // parts of the length from x to them
+};
+
 RELOCK_VECTOR_CLONES
-void SweptProfile::mean(const float* qx, const float* qy, const float* ux, const float* uy, int n,
-                        SweptLight& out) const {
-  constexpr float kLast = kSamples - 1;
-  const float* table = table_.data();
+void find_ends(const Movements& moved, int n, Along& out) {
+  const float *qx = moved.qx, *qy = moved.qy, *ux = moved.ux, *uy = moved.uy, *k = moved.k;
   RELOCK_INDEPENDENT
   for (int i = 0; i < n; ++i) {
     const float length = std::sqrt(ux[i] * ux[i] + uy[i] * uy[i]), inverse = 1 / length;
     const float ex = ux[i] * inverse, ey = uy[i] * inverse;
-    const float x = qx[i] * ex + qy[i] * ey, y = qy[i] * ex - qx[i] * ey;  // y along (-ey, ex)
+    const float x = qx[i] * ex + qy[i] * ey;
+    const float s1 = 0.5f / (1 + 0.5f * k[i]), s0 = -0.5f / (1 - 0.5f * k[i]);
+    out.ex[i] = ex, out.ey[i] = ey, out.inverse[i] = inverse;
+    out.x[i] = x, out.y[i] = qy[i] * ex - qx[i] * ey;  // y along (-ey, ex)
+    out.s1[i] = s1, out.s0[i] = s0;
+    out.ahead[i] = x + s1 * length, out.behind[i] = x + s0 * length;
+  }
+}
+
+}  // namespace
+
+RELOCK_VECTOR_CLONES
+void SweptProfile::mean(const Movements& moved, int n, SweptLight& out) const {
+  constexpr float kLast = kSamples - 1;
+  const float* table = table_.data();
+  Along at;
+  find_ends(moved, n, at);
+  RELOCK_INDEPENDENT
+  for (int i = 0; i < n; ++i) {
+    const float x = at.x[i], y = at.y[i], inverse = at.inverse[i], ex = at.ex[i], ey = at.ey[i];
     float row = std::abs(y) * kPerRadius;
     row = row < kLast ? row : kLast;
     const int j = static_cast<int>(row + 0.5f);
     const float dy = (row - static_cast<float>(j)) / kPerRadius;
-    float sum = 0, along = 0, difference = 0, across = 0;
+    float sum = 0, difference = 0, across = 0, by_length = 0;
     for (int end = 0; end < 2; ++end) {
-      const float s = end == 0 ? x + 0.5f * length : x - 0.5f * length;
+      const float s = end == 0 ? at.ahead[i] : at.behind[i], part = end == 0 ? at.s1[i] : at.s0[i];
       float column = std::abs(s) * kPerRadius;
       column = column < kLast ? column : kLast;
-      const int k = static_cast<int>(column + 0.5f);
-      const float dx = (column - static_cast<float>(k)) / kPerRadius;
-      const int place = kNumbers * (j * kSamples + k);
+      const int c = static_cast<int>(column + 0.5f);
+      const float dx = (column - static_cast<float>(c)) / kPerRadius;
+      const int place = kNumbers * (j * kSamples + c);
       const float p = table[place + 1], gy = table[place + 2];
       // G and dG/dy are odd in x, P is even; the end behind counts negative.
-      const float sign = (s < 0 ? -1.0f : 1.0f) * (end == 0 ? 1.0f : -1.0f);
+      const float forward = end == 0 ? 1.0f : -1.0f, sign = (s < 0 ? -1.0f : 1.0f) * forward;
       sum += sign * (table[place] + p * dx + gy * dy), across += sign * gy;
-      along += p, difference += end == 0 ? p : -p;
+      difference += forward * p, by_length += forward * part * p;
     }
     const float mean = sum * inverse, by_x = difference * inverse;
     const float by_y = (y < 0 ? -across : across) * inverse;
-    const float by_length = (0.5f * along - mean) * inverse;
+    const float lengthened = (by_length - mean) * inverse;
     const float by_turn = (y * by_x - x * by_y) * inverse;  // for a change of u across itself
     out.mean[i] = mean;
     out.by_qx[i] = ex * by_x - ey * by_y, out.by_qy[i] = ey * by_x + ex * by_y;
-    out.by_ux[i] = ex * by_length - ey * by_turn, out.by_uy[i] = ey * by_length + ex * by_turn;
+    out.by_ux[i] = ex * lengthened - ey * by_turn, out.by_uy[i] = ey * lengthened + ex * by_turn;
+  }
+  const float* moment = moment_.data();
+  constexpr float kLastMoment = kMoments - 1;
+  RELOCK_INDEPENDENT
+  for (int i = 0; i < n; ++i) {
+    float ahead = std::sqrt(at.ahead[i] * at.ahead[i] + at.y[i] * at.y[i]) * kMomentsPerRadius;
+    float behind = std::sqrt(at.behind[i] * at.behind[i] + at.y[i] * at.y[i]) * kMomentsPerRadius;
+    ahead = ahead < kLastMoment ? ahead : kLastMoment, behind = behind < kLastMoment ? behind : kLastMoment;
+    const int a = static_cast<int>(ahead), b = static_cast<int>(behind);
+    const float difference = moment[a] + (ahead - static_cast<float>(a)) * (moment[a + 1] - moment[a]) - moment[b] -
+                             (behind - static_cast<float>(b)) * (moment[b + 1] - moment[b]);
+    out.mean[i] += 2 * moved.k[i] * (difference * at.inverse[i] - at.x[i] * out.mean[i]) * at.inverse[i];
   }
 }
 

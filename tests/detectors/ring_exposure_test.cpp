@@ -32,16 +32,16 @@ Point some_point(Random& random, const View& view) {
           static_cast<float>(view.centre.y() + between(random, -1.2, 1.2) * view.radius())};
 }
 
-/// The definition, with many moments of the exposure.
+/// The definition, with many moments: the picture moves evenly, whatever that means in the marker's plane.
 double mean_over_moments(const std::vector<Annulus>& annuli, const View& view, double psf_px, Point p) {
   const RadialProfile profile(annuli);
-  const Placed at = placed(view, {p.x, p.y});
-  const Eigen::Vector2d u = at.moved_by * view.blur;
-  constexpr int kMoments = 1000;
+  const Placed middle = placed(view, {p.x, p.y});
+  const double sigma = psf_px * (middle.moved_by.transpose() * middle.q.normalized()).norm();
+  constexpr int kMoments = 400;
   double sum = 0;
   for (int k = 0; k < kMoments; ++k) {
-    const Eigen::Vector2d q = at.q + ((k + 0.5) / kMoments - 0.5) * u;
-    sum += profile.value(q.norm(), psf_px * (at.moved_by.transpose() * q.normalized()).norm()) / kMoments;
+    const double t = (k + 0.5) / kMoments - 0.5;
+    sum += profile.value(placed(view, Eigen::Vector2d(p.x, p.y) + t * view.blur).q.norm(), sigma) / kMoments;
   }
   return sum;
 }
