@@ -6,9 +6,9 @@
 namespace relock::ring {
 namespace {
 
-// A table for every fifth more of sigma: blur hides finer differences. Thinner than the tables' step it is not.
-constexpr double kLeastSigma = 0.012, kRatio = 1.2;
-constexpr int kLevels = 14;
+// A table for every third more of sigma: blur hides finer differences. Thinner than the tables' step it is not.
+constexpr double kLeastSigma = 0.012, kRatio = 1.3;
+constexpr int kLevels = 10;
 
 }  // namespace
 

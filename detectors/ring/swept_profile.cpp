@@ -26,7 +26,7 @@ class FineProfile {
   double slope(double radius) const { return between(slope_, radius); }
 
  private:
-  static constexpr int kSteps = 8192;
+  static constexpr int kSteps = 2048;  // a tenth of the least sigma
   static constexpr double kStep = 1.5 * SweptProfile::kEnd / kSteps;
   static double between(const std::vector<double>& values, double radius) {
     const double place = std::min(radius / kStep, kSteps - 1.001);
@@ -40,7 +40,7 @@ class FineProfile {
 
 SweptProfile::SweptProfile(const RadialProfile& profile, double sigma)
     : table_(static_cast<std::size_t>(kSamples * kSamples * kNumbers)) {
-  constexpr int kSteps = 4;  // of the integration, between two samples
+  constexpr int kSteps = 2;  // of the integration, between two samples
   const double step = kEnd / (kSamples - 1) / kSteps;
   const FineProfile fine(profile, sigma);
   double moment = 0;
@@ -55,7 +55,7 @@ SweptProfile::SweptProfile(const RadialProfile& profile, double sigma)
     double sum = 0, across = 0;
     for (int column = 0; column < kSamples; ++column, out += kNumbers) {
       const double x = column * step * kSteps;
-      out[0] = static_cast<float>(sum), out[1] = static_cast<float>(fine.value(std::hypot(x, y)));
+      out[0] = static_cast<float>(sum), out[1] = static_cast<float>(fine.value(std::sqrt(x * x + y * y)));
       out[2] = static_cast<float>(across);
       for (int k = 0; k < kSteps; ++k) {
         const double radius = std::sqrt((x + (k + 0.5) * step) * (x + (k + 0.5) * step) + y * y);
