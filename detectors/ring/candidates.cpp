@@ -20,6 +20,7 @@ constexpr double kBlurred = 0.3;         // radii: shorter blurs leave the best 
 constexpr double kAlmostAsLike = 0.03;
 constexpr double kRadiusOfManyChords_px = 40, kSmall_px = 17;
 constexpr double kSameRadius = 1.25;
+constexpr std::size_t kMostRadii = 3;
 
 /// Total order, so that the answer does not depend on the sorting.
 bool better(const Chord& a, const Chord& b) {
@@ -76,8 +77,8 @@ struct Radius {
   }
 };
 
-/// `chords`, best first.
-const Chord& of_the_most_convincing_radius(const std::vector<Chord>& chords) {
+/// The best chords of the most convincing radii, kMostRadii at most. `chords`: best first.
+std::vector<Chord> of_convincing_radii(const std::vector<Chord>& chords) {
   std::array<Radius, 16> radii{};
   std::size_t count = 0;
   for (const Chord& chord : chords) {
@@ -90,9 +91,11 @@ const Chord& of_the_most_convincing_radius(const std::vector<Chord>& chords) {
     else if (count < radii.size())
       radii[count++] = {&chord, 1};
   }
-  return *std::max_element(radii.begin(), radii.begin() + count, [](const Radius& a, const Radius& b) {
-            return a.score() < b.score();
-          })->best;
+  std::stable_sort(radii.begin(), radii.begin() + count,
+                   [](const Radius& a, const Radius& b) { return a.score() > b.score(); });
+  std::vector<Chord> best;
+  for (std::size_t i = 0; i < std::min(count, kMostRadii); ++i) best.push_back(*radii[i].best);
+  return best;
 }
 
 /// Likeness first. Profiles of long blurs have little of their own: much clutter is like one of them. Of a small marker
@@ -141,8 +144,12 @@ Candidate& CandidateGrouper::fresh(const Chord& best) {
 }
 
 void CandidateGrouper::rank(Candidate& candidate) const {
-  const Chord& like = of_the_most_convincing_radius(candidate.chords);
+  const std::vector<Chord> radii = of_convincing_radii(candidate.chords);
+  const Chord& like = radii.front();
   candidate.best = in_the_middle(like, candidate.chords);
+  candidate.others.clear();
+  for (std::size_t i = 1; i < radii.size(); ++i)
+    candidate.others.push_back(in_the_middle(radii[i], candidate.chords));
   std::bitset<32> seen;
   for (const Chord& chord : candidate.chords)
     if (chord.code == candidate.best.code && chord.likeness > 0.88)

@@ -45,17 +45,35 @@ class RingDetector final : public Detector {
     if (std::min(part.image.size().width, part.image.size().height) < options_.min_diameter_px) return {};
     pyramid_.build(white_on_black(part.image));
     std::vector<Reading> found;
-    int looked_at = 0;
-    for (const Candidate& candidate : finder_.find(pyramid_)) {
-      if (looked_at == options_.max_candidates) break;
-      if (!promising(candidate) || within_one(found, candidate)) continue;
-      ++looked_at;
-      if (const auto reading = look_closely(candidate)) keep(*reading, found);
-    }
+    const std::vector<Candidate>& candidates = finder_.find(pyramid_);
+    look_at(candidates, &RingDetector::look_closely, found);
+    // Where nothing was read, a candidate may be a marker of another radius than its best chord says.
+    if (found.empty()) look_at(candidates, &RingDetector::look_at_other_radii, found);
     return sightings(found, part.offset);
   }
 
  private:
+  using Look = std::optional<Reading> (RingDetector::*)(const Candidate&);
+  /// At the best few candidates that are none of the markers found so far.
+  void look_at(const std::vector<Candidate>& candidates, Look look, std::vector<Reading>& found) {
+    int looked_at = 0;
+    for (const Candidate& candidate : candidates) {
+      if (looked_at == options_.max_candidates) break;
+      if (!promising(candidate) || within_one(found, candidate)) continue;
+      ++looked_at;
+      if (const auto reading = (this->*look)(candidate)) keep(*reading, found);
+    }
+  }
+  std::optional<Reading> look_at_other_radii(const Candidate& candidate) {
+    Candidate other = candidate;
+    for (const Chord& chord : candidate.others) {
+      other.best = chord;
+      if (chord.likeness < 0.88) continue;
+      if (const auto reading = look_closely(other)) return reading;
+    }
+    return {};
+  }
+
   cv::Mat white_on_black(const Image& image) {
     const cv::Mat gray = gray_of(image, gray_);
     if (!options_.inverted) return gray;

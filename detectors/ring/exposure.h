@@ -55,6 +55,10 @@ class Exposure {
   static Exposure of_slot(RingModel& model, std::size_t slot, const View& view, double psf_px) {
     return Exposure(model, model.slot(slot), view, psf_px);
   }
+  /// Of one gap between rings by itself.
+  static Exposure of_gap(RingModel& model, std::size_t gap, const View& view, double psf_px) {
+    return Exposure(model, model.gap(gap), view, psf_px);
+  }
 
   // Each for `n` pixels, at most kBlock.
 

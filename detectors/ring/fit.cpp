@@ -197,33 +197,43 @@ std::optional<Fit> Fitter::fit(const cv::Mat& gray, std::size_t code, const View
 std::optional<Fitter::RingLights> Fitter::ring_lights(const cv::Mat& gray, const Fit& fit,
                                                       const FitOptions& options) {
   spread_samples(gray, model_, fit.view, options.pixels, samples_);
-  const auto slots = static_cast<Eigen::Index>(model_.slots());
-  if (static_cast<Eigen::Index>(samples_.size()) < 2 * (slots + 2)) return {};
-  std::vector<Exposure> ring;
+  std::vector<Exposure> annuli;
   for (std::size_t slot = 0; slot < model_.slots(); ++slot)
-    ring.push_back(Exposure::of_slot(model_, slot, fit.view, options.psf_px));
-  // One amplitude for each ring, black, and what leaks in: linear in all of them.
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(slots + 2, slots + 2);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(slots + 2), row(slots + 2);
+    annuli.push_back(Exposure::of_slot(model_, slot, fit.view, options.psf_px));
+  for (std::size_t gap = 0; gap < model_.gaps(); ++gap)
+    annuli.push_back(Exposure::of_gap(model_, gap, fit.view, options.psf_px));
+  // One amplitude for each annulus, black, and what leaks in: linear in all of them.
+  const auto count = static_cast<Eigen::Index>(annuli.size()), unknowns = count + 2;
+  if (static_cast<Eigen::Index>(samples_.size()) < 2 * unknowns) return {};
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(unknowns, unknowns);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns), row(unknowns);
+  double squares = 0, weights = 0;
   in_blocks(samples_, [&](const float* x, const float* y, const float* grey, int n) {
-    Row light[kMostRingBits + 2], leaked;
-    for (std::size_t slot = 0; slot < ring.size(); ++slot) ring[slot].rings(x, y, n, light[slot]);
-    ring.front().leaked(x, y, n, leaked);
+    Row light[2 * (kMostRingBits + 2)], leaked;
+    for (std::size_t k = 0; k < annuli.size(); ++k) annuli[k].rings(x, y, n, light[k]);
+    annuli.front().leaked(x, y, n, leaked);
     for (int i = 0; i < n; ++i) {
-      for (Eigen::Index slot = 0; slot < slots; ++slot) row[slot] = light[slot][i];
-      row[slots] = 1, row[slots + 1] = leaked[i];
+      for (Eigen::Index k = 0; k < count; ++k) row[k] = light[k][i];
+      row[count] = 1, row[count + 1] = leaked[i];
       const double weight = weight_of(leaked[i]);
       normal.selfadjointView<Eigen::Lower>().rankUpdate(row, weight);
       right += weight * grey[i] * row;
+      squares += weight * grey[i] * grey[i], weights += weight;
     }
   });
-  normal.diagonal().head(slots).array() += 1e-6 * static_cast<double>(samples_.size());
-  normal(slots + 1, slots + 1) += 1e-3;
-  const Eigen::VectorXd light = normal.selfadjointView<Eigen::Lower>().ldlt().solve(right);
+  normal.diagonal().head(count).array() += 1e-6 * static_cast<double>(samples_.size());
+  normal(count + 1, count + 1) += 1e-3;
+  const Eigen::LDLT<Eigen::MatrixXd> solver(normal.selfadjointView<Eigen::Lower>());
+  const Eigen::VectorXd light = solver.solve(right);
+  const Eigen::MatrixXd covariance = solver.solve(Eigen::MatrixXd::Identity(unknowns, unknowns));
+  const double noise = std::max(squares - light.dot(right), 0.0) / std::max(weights - static_cast<double>(unknowns), 1.0);
   RingLights lights;
-  lights.gain = 0.5 * (light[0] + light[slots - 1]), lights.offset = light[slots];
+  const auto slots = static_cast<Eigen::Index>(model_.slots());
+  lights.gain = 0.5 * (light[0] + light[slots - 1]), lights.offset = light[count];
   if (!light.allFinite() || !(lights.gain > 0)) return {};
-  for (Eigen::Index slot = 0; slot < slots; ++slot) lights.ring.push_back(light[slot] / lights.gain);
+  for (Eigen::Index k = 0; k < count; ++k)
+    (k < slots ? lights.ring : lights.gap)
+        .push_back({light[k] / lights.gain, std::sqrt(noise * std::max(covariance(k, k), 0.0)) / lights.gain});
   return lights;
 }
 

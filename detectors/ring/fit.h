@@ -49,12 +49,17 @@ class Fitter {
   /// From a view near enough: half a ring in position. `gray` is CV_8UC1. Nothing where too little of the marker
   /// is in the picture or no marker explains it.
   std::optional<Fit> fit(const cv::Mat& gray, std::size_t code, const View& start, const FitOptions& options);
-  /// How bright each ring is by itself, as parts of what the always white ones are on average, in the view of a
-  /// fit; with the light and misfit that result. Nothing where that cannot be told.
+  /// How bright each annulus is by itself, in the view of a fit, as parts of what the two rings that are always white
+  /// are on average; with the standard error of each.
+  struct AnnulusLight {
+    double light = 0, error = 0;  ///< 0 black, 1 white
+  };
   struct RingLights {
-    std::vector<double> ring;  ///< of each slot, innermost first; 0 black, 1 white
+    std::vector<AnnulusLight> ring;  ///< of each slot, innermost first
+    std::vector<AnnulusLight> gap;   ///< of each gap between them: black in a marker
     double gain = 0, offset = 0;
   };
+  /// Nothing where that cannot be told.
   std::optional<RingLights> ring_lights(const cv::Mat& gray, const Fit& fit, const FitOptions& options);
 
  private:

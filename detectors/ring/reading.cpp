@@ -31,7 +31,7 @@ Bits bits_of(const Fitter::RingLights& lights) {
   Bits bits;
   const std::size_t last = lights.ring.size() - 1;
   for (std::size_t slot = 0; slot <= last; ++slot) {
-    const double light = lights.ring[slot];
+    const double light = lights.ring[slot].light;
     if (slot == 0 || slot == last) {
       bits.doubt = std::max(bits.doubt, std::abs(light - 1));
       continue;
@@ -40,6 +40,12 @@ Bits bits_of(const Fitter::RingLights& lights) {
     if (light > 0.5) bits.code |= std::size_t{1} << (slot - 1);
   }
   return bits;
+}
+
+/// Whether all gaps between rings are black, as far as their light can be told.
+bool black_between(const Fitter::RingLights& lights, double most) {
+  return std::all_of(lights.gap.begin(), lights.gap.end(),
+                     [&](const Fitter::AnnulusLight& gap) { return std::abs(gap.light) < most + 3 * gap.error; });
 }
 
 /// Fits with each of some sharpnesses and keeps the best. Of large markers the sharpness does not move anything
@@ -102,6 +108,7 @@ std::optional<Reading> read(const Pyramid& pyramid, Fitter& fitter, RingModel& m
     const bool possible_gain = lights->gain >= acceptance.least_gain && lights->gain + lights->offset <= 300;
     if (!possible_gain || fit.misfit > acceptance.most_misfit || bits.doubt > acceptance.most_doubt)
       return {};
+    if (!black_between(*lights, acceptance.most_light_between)) return {};
     return Reading{in_full_picture(fit, level.scale), bits.code, psf * level.scale, bits.doubt};
   }
   return {};

@@ -11,6 +11,7 @@ namespace relock::ring {
 struct Acceptance {
   double most_misfit = 0.36;
   double most_doubt = 0.07;
+  double most_light_between = 0.15;  ///< rings, in gaps that are told apart
   double least_gain = 25;  ///< grey levels from black to white
 };
 

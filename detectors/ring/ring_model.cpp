@@ -25,7 +25,12 @@ RingModel::RingModel(const RingGeometry& geometry)
     : geometry_(geometry), sheet_({{0, geometry.quiet_zone + geometry.soft_border / 2}}) {
   for (const std::string& bits : all_ring_bits(geometry.bits()))
     codes_.emplace_back(rings_of({geometry, bits}));
-  for (const Annulus& slot : geometry.slots) slots_.emplace_back(std::vector{slot});
+  double edge = 0;
+  for (const Annulus& slot : geometry.slots) {
+    slots_.emplace_back(std::vector{slot});
+    if (slot.inner > edge) gaps_.emplace_back(std::vector<Annulus>{{edge, slot.inner}});
+    edge = slot.outer;
+  }
 }
 
 }  // namespace relock::ring

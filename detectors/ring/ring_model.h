@@ -36,12 +36,15 @@ class RingModel {
   std::size_t slots() const { return slots_.size(); }
   MovingRings& code(std::size_t number) { return codes_[number]; }
   MovingRings& slot(std::size_t number) { return slots_[number]; }
+  /// The black annuli within the outermost ring: what is inside of each slot, if anything is.
+  std::size_t gaps() const { return gaps_.size(); }
+  MovingRings& gap(std::size_t number) { return gaps_[number]; }
   /// The disc of the quiet zone: where it has no light, the surroundings are seen.
   MovingRings& sheet() { return sheet_; }
 
  private:
   RingGeometry geometry_;
-  std::vector<MovingRings> codes_, slots_;
+  std::vector<MovingRings> codes_, slots_, gaps_;
   MovingRings sheet_;
 };
 
