@@ -66,11 +66,8 @@ Fit in_full_picture(Fit fit, int scale) {
 
 }  // namespace
 
-std::size_t coarse_level(double radius_px) { return radius_px > 44 ? 2 : radius_px > 20 ? 1 : 0; }
-
-std::optional<Reading> read(const Pyramid& pyramid, Fitter& fitter, RingModel& model, const Fit& coarse,
+std::optional<Reading> read(const Pyramid& pyramid, Fitter& fitter, const Fit& coarse,
                             const Acceptance& acceptance) {
-  (void)model;
   const Level level = fine_level(pyramid, coarse.view);
   double psf = 0.5;
   Fit fit = coarse;
@@ -102,7 +99,7 @@ std::optional<Reading> read(const Pyramid& pyramid, Fitter& fitter, RingModel& m
     const bool possible_gain = lights->gain >= acceptance.least_gain && lights->gain + lights->offset <= 300;
     if (!possible_gain || fit.misfit > acceptance.most_misfit || bits.doubt > acceptance.most_doubt)
       return {};
-    return Reading{in_full_picture(fit, level.scale), bits.code, psf * level.scale, bits.doubt};
+    return Reading{in_full_picture(fit, level.scale), bits.code, psf * level.scale, bits.doubt, lights->ring};
   }
   return {};
 }
