@@ -21,8 +21,9 @@ struct Chord {
 
 /// Chords that agree on where a marker is.
 struct Candidate {
-  Chord best;                 ///< of the most convincing radius, the chord most like a marker
-  std::vector<Chord> others;  ///< of other radii, the next convincing first: the best may be an inner ring, or clutter
+  Chord best;  ///< of the most convincing radius, the chord most like a marker
+  std::vector<Chord>
+      others;  ///< of other radii, the next convincing first: the best may be an inner ring, or clutter
   std::vector<Chord> chords;  ///< those that agree, the most like a marker first
   double score = 0;           ///< candidates are ordered by it; comparable within one picture only
   int directions = 0;         ///< how many of kLineDirections have a chord with the code of the best

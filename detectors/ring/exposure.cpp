@@ -89,13 +89,11 @@ bool Exposure::any_near_edge(const Places& at, int n) const {
   return farthest > edge;
 }
 
-namespace {
-
 /// With d = p - c and w the depth: q = S d / w and u = (S b - q (v.b)) / w, each by each unknown.
 /// `g`: how the light changes with q, `h`: with u.
-template <class Places>
-RELOCK_VECTOR_CLONES void chain(const Places& at, const SweptLight& light, const float* v, const float* b,
-                                int n, Row* gradient) {
+RELOCK_VECTOR_CLONES
+void Exposure::chain(const Places& at, const SweptLight& light, const float* v, const float* b, int n,
+                     Row* gradient) {
   const float vx = v[0], vy = v[1], bx = b[0], by = b[1], vb = vx * bx + vy * by;
   RELOCK_INDEPENDENT
   for (int i = 0; i < n; ++i) {
@@ -116,8 +114,6 @@ RELOCK_VECTOR_CLONES void chain(const Places& at, const SweptLight& light, const
     gradient[kVanishingY][i] = -(along * dy + hq * by) * near;
   }
 }
-
-}  // namespace
 
 void Exposure::predict(const float* x, const float* y, int n, const Light& light, Prediction& out) const {
   Places at;

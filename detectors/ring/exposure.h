@@ -76,6 +76,9 @@ class Exposure {
   void light_of(const RadialProfile& still, const SweptProfile* swept, const Places& places, int n,
                 SweptLight& out) const;
   bool any_near_edge(const Places& places, int n) const;
+  /// The gradients of the light by what moves the pixels' points, of those by the points.
+  static void chain(const Places& places, const SweptLight& light, const float* v, const float* b, int n,
+                    Row* gradient);
 
   const RadialProfile& rings_;
   const RadialProfile& sheet_;

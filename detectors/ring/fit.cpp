@@ -72,13 +72,17 @@ void spread_samples(const cv::Mat& gray, const RingModel& model, const View& vie
   // Rows are shifted against each other, so that no ring falls between them.
   const double shift = step > 1.01 ? 0.38 : 0;
   const double allowed = farthest_allowed(model, (view.shape() * view.blur).norm());
-  int row = 0;
-  for (double y = view.centre.y() - height; y <= view.centre.y() + height; y += step, ++row) {
+  // A marker may be larger than the picture, but only what is in the picture takes time.
+  const double top = view.centre.y() - height, bottom = std::min(view.centre.y() + height, gray.rows - 0.5);
+  for (int row = std::max(0, static_cast<int>((-0.5 - top) / step));; ++row) {
+    const double y = top + row * step;
+    if (y > bottom) break;
     const int iy = static_cast<int>(std::lround(y));
     if (iy < 0 || iy >= gray.rows) continue;
     const std::uint8_t* pixels = gray.ptr<std::uint8_t>(iy);
     const double begin = view.centre.x() - width + std::fmod(row * shift * step, step);
-    for (double x = begin; x <= view.centre.x() + width; x += step) {
+    const double right = std::min(view.centre.x() + width, gray.cols - 0.5);
+    for (double x = begin + step * std::max(0.0, std::floor((-0.5 - begin) / step)); x <= right; x += step) {
       const int ix = static_cast<int>(std::lround(x));
       if (ix < 0 || ix >= gray.cols) continue;
       const Placed at = placed(view, Eigen::Vector2d(ix, iy));
@@ -226,14 +230,16 @@ std::optional<Fitter::RingLights> Fitter::ring_lights(const cv::Mat& gray, const
   const Eigen::LDLT<Eigen::MatrixXd> solver(normal.selfadjointView<Eigen::Lower>());
   const Eigen::VectorXd light = solver.solve(right);
   const Eigen::MatrixXd covariance = solver.solve(Eigen::MatrixXd::Identity(unknowns, unknowns));
-  const double noise = std::max(squares - light.dot(right), 0.0) / std::max(weights - static_cast<double>(unknowns), 1.0);
+  const double noise =
+      std::max(squares - light.dot(right), 0.0) / std::max(weights - static_cast<double>(unknowns), 1.0);
   RingLights lights;
   const auto slots = static_cast<Eigen::Index>(model_.slots());
   lights.gain = 0.5 * (light[0] + light[slots - 1]), lights.offset = light[count];
   if (!light.allFinite() || !(lights.gain > 0)) return {};
   for (Eigen::Index k = 0; k < count; ++k)
     (k < slots ? lights.ring : lights.gap)
-        .push_back({light[k] / lights.gain, std::sqrt(noise * std::max(covariance(k, k), 0.0)) / lights.gain});
+        .push_back(
+            {light[k] / lights.gain, std::sqrt(noise * std::max(covariance(k, k), 0.0)) / lights.gain});
   return lights;
 }
 

@@ -81,7 +81,8 @@ double RadialProfile::slope(double radius, double sigma) const {
 }
 
 RELOCK_VECTOR_CLONES
-void RadialProfile::mean(const Movements& moved, const float* variance, int n, int moments, SweptLight& out) const {
+void RadialProfile::mean(const Movements& moved, const float* variance, int n, int moments,
+                         SweptLight& out) const {
   const float *qx = moved.qx, *qy = moved.qy, *ux = moved.ux, *uy = moved.uy, *k = moved.k;
   const float step = 1 / static_cast<float>(moments);
   const float* table = table_.data();

@@ -44,8 +44,9 @@ Bits bits_of(const Fitter::RingLights& lights) {
 
 /// Whether all gaps between rings are black, as far as their light can be told.
 bool black_between(const Fitter::RingLights& lights, double most) {
-  return std::all_of(lights.gap.begin(), lights.gap.end(),
-                     [&](const Fitter::AnnulusLight& gap) { return std::abs(gap.light) < most + 3 * gap.error; });
+  return std::all_of(lights.gap.begin(), lights.gap.end(), [&](const Fitter::AnnulusLight& gap) {
+    return std::abs(gap.light) < most + 3 * gap.error;
+  });
 }
 
 /// Fits with each of some sharpnesses and keeps the best. Of large markers the sharpness does not move anything
@@ -72,11 +73,8 @@ Fit in_full_picture(Fit fit, int scale) {
 
 }  // namespace
 
-std::size_t coarse_level(double radius_px) { return radius_px > 44 ? 2 : radius_px > 20 ? 1 : 0; }
-
-std::optional<Reading> read(const Pyramid& pyramid, Fitter& fitter, RingModel& model, const Fit& coarse,
+std::optional<Reading> read(const Pyramid& pyramid, Fitter& fitter, const Fit& coarse,
                             const Acceptance& acceptance) {
-  (void)model;
   const Level level = fine_level(pyramid, coarse.view);
   double psf = 0.5;
   Fit fit = coarse;
@@ -109,7 +107,7 @@ std::optional<Reading> read(const Pyramid& pyramid, Fitter& fitter, RingModel& m
     if (!possible_gain || fit.misfit > acceptance.most_misfit || bits.doubt > acceptance.most_doubt)
       return {};
     if (!black_between(*lights, acceptance.most_light_between)) return {};
-    return Reading{in_full_picture(fit, level.scale), bits.code, psf * level.scale, bits.doubt};
+    return Reading{in_full_picture(fit, level.scale), bits.code, psf * level.scale, bits.doubt, lights->ring};
   }
   return {};
 }

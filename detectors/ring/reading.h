@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "detectors/ring/fit.h"
 #include "detectors/ring/pyramid.h"
@@ -12,7 +13,7 @@ struct Acceptance {
   double most_misfit = 0.36;
   double most_doubt = 0.07;
   double most_light_between = 0.15;  ///< rings, in gaps that are told apart
-  double least_gain = 25;  ///< grey levels from black to white
+  double least_gain = 25;            ///< grey levels from black to white
 };
 
 /// A marker that was read.
@@ -23,16 +24,13 @@ struct Reading {
   /// How far the light of a ring is from what its code says at most, in parts of white: always white ones from
   /// each other, bits from black or white.
   double doubt = 1;
+  std::vector<Fitter::AnnulusLight> lights;  ///< of each ring, as Fitter::RingLights has them
 };
-
-/// Which level of the pyramid shows a marker of this radius (px of the full picture) with 14 to 28 px of radius, or as
-/// nearly so as there is one.
-std::size_t coarse_level(double radius_px);
 
 /// Reads the bits of a marker about whose view `coarse` is right: each ring's own light says whether it is there. Then
 /// fits once more with that code, finely and with the sharpness of this picture, and reads again, until code and view
 /// agree. Nothing where they do not.
-std::optional<Reading> read(const Pyramid& pyramid, Fitter& fitter, RingModel& model, const Fit& coarse,
+std::optional<Reading> read(const Pyramid& pyramid, Fitter& fitter, const Fit& coarse,
                             const Acceptance& acceptance);
 
 }  // namespace relock::ring

@@ -70,7 +70,7 @@ namespace {
 
 /// The movement of a block of points in coordinates along it (x) and across it (y).
 struct Along {
-  alignas(32) Row ex, ey;  // the direction
+  alignas(32) Row ex, ey;         // the direction
   alignas(32) Row x, y, inverse;  // inverse of the length
   alignas(32) Row ahead, behind;  // x at both ends
   alignas(32) Row s1, s0;         // parts of the length from x to them
@@ -137,8 +137,8 @@ void SweptProfile::mean(const Movements& moved, int n, SweptLight& out) const {
     float behind = std::sqrt(at.behind[i] * at.behind[i] + at.y[i] * at.y[i]) * kMomentsPerRadius;
     ahead = ahead < kLastMoment ? ahead : kLastMoment, behind = behind < kLastMoment ? behind : kLastMoment;
     const int a = static_cast<int>(ahead), b = static_cast<int>(behind);
-    const float difference = moment[a] + (ahead - static_cast<float>(a)) * (moment[a + 1] - moment[a]) - moment[b] -
-                             (behind - static_cast<float>(b)) * (moment[b + 1] - moment[b]);
+    const float difference = moment[a] + (ahead - static_cast<float>(a)) * (moment[a + 1] - moment[a]) -
+                             moment[b] - (behind - static_cast<float>(b)) * (moment[b + 1] - moment[b]);
     out.mean[i] += 2 * moved.k[i] * (difference * at.inverse[i] - at.x[i] * out.mean[i]) * at.inverse[i];
   }
 }

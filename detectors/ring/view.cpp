@@ -12,6 +12,9 @@ using Eigen::Matrix2d;
 using Eigen::Matrix3d;
 using Eigen::Vector2d;
 
+/// Of the determinant over the trace squared: the outermost ring is no flatter than 1 : 23, or is nothing to be read.
+constexpr double kFlattest = 0.04;
+
 Vector2d vector_of(Vec2 v) { return {v.x, v.y}; }
 
 /// Takes a homogeneous point of the picture to the marker's plane.
@@ -32,7 +35,7 @@ double direction_of(const Vector2d& v) {
 }  // namespace
 
 bool View::possible() const {
-  if (!(determinant() > 0 && xx > 0)) return false;
+  if (!(xx > 0 && determinant() > kFlattest * (xx + yy) * (xx + yy))) return false;
   // The depth is least on the outermost ring, where it is 1 / (1 + |S^-1 v|).
   return (shape().inverse() * vanishing).norm() < 1;
 }

@@ -25,7 +25,8 @@ struct View {
   double determinant() const { return xx * yy - xy * xy; }
   /// Radius of the circle of the same area as the outermost ring, where there is no perspective, px.
   double radius() const { return 1 / std::sqrt(determinant()); }
-  /// Whether it is a marker at all: S positive, and the vanishing line does not cross the outermost ring.
+  /// Whether it is a marker at all: S positive, not seen from the edge, and the vanishing line does not cross the outermost
+  /// ring.
   bool possible() const;
 };
 
