@@ -97,18 +97,21 @@ void spread_samples(const cv::Mat& gray, const RingModel& model, const View& vie
 
 Light Fitter::light_of(std::size_t code, const View& view, double psf_px) const {
   const Exposure exposure(model_, code, view, psf_px);
-  double light = 0, squares = 0, grey = 0, both = 0;
-  in_blocks(samples_, [&](const float* x, const float* y, const float* greys, int n) {
-    Row is;
-    exposure.rings(x, y, n, is);
-    for (int i = 0; i < n; ++i)
-      light += is[i], squares += is[i] * is[i], grey += greys[i], both += is[i] * greys[i];
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  in_blocks(samples_, [&](const float* x, const float* y, const float* grey, int n) {
+    Row light, leaked;
+    exposure.rings(x, y, n, light);
+    exposure.leaked(x, y, n, leaked);
+    for (int i = 0; i < n; ++i) {
+      const Eigen::Vector3d row(1, light[i], leaked[i]);
+      const double weight = weight_of(leaked[i]);
+      normal += weight * row * row.transpose(), right += weight * grey[i] * row;
+    }
   });
-  const auto n = static_cast<double>(samples_.size());
-  const double spread = n * squares - light * light;
-  if (!(spread > 1e-9)) return {grey / n, 0, 0};
-  const double gain = (n * both - light * grey) / spread;
-  return {(grey - gain * light) / n, gain, 0};
+  normal.diagonal() += Eigen::Vector3d(1e-6, 1e-6, kLeakPrior);
+  const Eigen::Vector3d light = normal.ldlt().solve(right);
+  return {light[0], light[1], light[2]};
 }
 
 Fitter::Equations Fitter::equations(std::size_t code, const View& view, const Light& light,
