@@ -34,6 +34,19 @@ bool read(const cv::Mat& gray, const Eigen::Vector2d& p, double& grey) {
   return true;
 }
 
+/// Of a and b, what both owe to c left out: -1 to 1; -1 where one of them does not vary.
+double partial_correlation(const double* a, const float* b, const float* c, int n) {
+  double sa = 0, sb = 0, sc = 0, aa = 0, bb = 0, cc = 0, ab = 0, ac = 0, bc = 0;
+  for (int i = 0; i < n; ++i) {
+    const double x = a[i], y = b[i], z = c[i];
+    sa += x, sb += y, sc += z, aa += x * x, bb += y * y, cc += z * z, ab += x * y, ac += x * z, bc += y * z;
+  }
+  aa -= sa * sa / n, bb -= sb * sb / n, cc -= sc * sc / n, ab -= sa * sb / n, ac -= sa * sc / n,
+      bc -= sb * sc / n;
+  if (cc > 1e-3 * n) aa -= ac * ac / cc, bb -= bc * bc / cc, ab -= ac * bc / cc;
+  return aa * bb > 1e-6 ? ab / std::sqrt(aa * bb) : -1;
+}
+
 }  // namespace
 
 double likeness(const cv::Mat& gray, RingModel& model, std::size_t code, const View& view, double psf_px) {
@@ -53,15 +66,12 @@ double likeness(const cv::Mat& gray, RingModel& model, std::size_t code, const V
     x[n] = static_cast<float>(p.x()), y[n] = static_cast<float>(p.y()), ++n;
   }
   if (n < kFewest) return -1;
-  for (int from = 0; from < n; from += kBlock)
+  float leaked[kPoints];
+  for (int from = 0; from < n; from += kBlock) {
     exposure.rings(x + from, y + from, std::min(kBlock, n - from), light + from);
-  double is = 0, is_squares = 0, should = 0, should_squares = 0, both = 0;
-  for (int i = 0; i < n; ++i) {
-    is += grey[i], is_squares += grey[i] * grey[i];
-    should += light[i], should_squares += light[i] * light[i], both += light[i] * grey[i];
+    exposure.leaked(x + from, y + from, std::min(kBlock, n - from), leaked + from);
   }
-  const double variances = (is_squares - is * is / n) * (should_squares - should * should / n);
-  return variances > 1e-6 ? (both - is * should / n) / std::sqrt(variances) : -1;
+  return partial_correlation(grey, light, leaked, n);
 }
 
 }  // namespace relock::ring
