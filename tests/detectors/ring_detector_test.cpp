@@ -10,6 +10,7 @@
 #include "detectors/ring.h"
 #include "tests/detectors/drawn_ring.h"
 #include "tests/detectors/drawn_rings.h"
+#include "tests/detectors/rendered_marker.h"
 
 namespace relock {
 namespace {
