@@ -8,7 +8,7 @@ namespace relock {
 namespace {
 
 constexpr int kPlaces = 4;  // of a pixel, in each direction
-constexpr double kMoment_px = 0.5;
+constexpr double kMoment_px = 1;
 constexpr int kTable = 2000;  // radii, each 1/1000 of the marker's
 
 /// reflectance(), looked up: it is asked for millions of times.

@@ -101,7 +101,9 @@ TEST(RingFit, LeavesMoreUnexplainedWithTheCodeOfAnotherMarker) {
   ASSERT_TRUE(right);
   for (const std::size_t other : {0U, 2U, 3U}) {
     const auto wrong = fitter.fit(picture, other, beside(truth), kFine);
-    if (wrong) EXPECT_GT(wrong->misfit, 3 * right->misfit) << other;
+    if (wrong) {
+      EXPECT_GT(wrong->misfit, 3 * right->misfit) << other;
+    }
   }
 }
 
@@ -132,7 +134,8 @@ TEST(RingFit, TellsTheLightOfEachRing) {
         EXPECT_NEAR(lights->ring.front(), 1, 0.05);
         EXPECT_NEAR(lights->ring.back(), 1, 0.05);
         for (std::size_t bit = 0; bit + 2 < model.slots(); ++bit)
-          EXPECT_NEAR(lights->ring[bit + 1], (code >> bit) & 1, 0.05) << bits << " " << code << " " << blur;
+          EXPECT_NEAR(lights->ring[bit + 1], (code >> bit) & 1 ? 1 : 0, 0.05)
+              << bits << " " << code << " " << blur;
       }
   }
 }
