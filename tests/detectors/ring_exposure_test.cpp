@@ -37,7 +37,7 @@ double mean_over_moments(const std::vector<Annulus>& annuli, const View& view, d
   const RadialProfile profile(annuli);
   const Placed at = placed(view, {p.x, p.y});
   const Eigen::Vector2d u = at.moved_by * view.blur;
-  constexpr int kMoments = 300;
+  constexpr int kMoments = 200;
   double sum = 0;
   for (int k = 0; k < kMoments; ++k) {
     const Eigen::Vector2d q = at.q + ((k + 0.5) / kMoments - 0.5) * u;
@@ -50,7 +50,7 @@ TEST(RingExposure, IsTheMeanOverAllMomentsWhateverTheViewAndTheBlur) {
   Random random(1);
   RingModel model(even_ring_geometry(2));
   double squares = 0, worst = 0;
-  constexpr int kViews = 40, kPoints = 6;
+  constexpr int kViews = 24, kPoints = 6;
   for (int n = 0; n < kViews; ++n) {
     const View view = some_view(random, n % 2 ? 0.3 : 2.5);
     const auto code = static_cast<std::size_t>(n) % 4;
