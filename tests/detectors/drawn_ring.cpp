@@ -7,7 +7,7 @@
 namespace relock {
 namespace {
 
-constexpr int kPlaces = 3;  // of a pixel, in each direction
+constexpr int kPlaces = 4;  // of a pixel, in each direction
 constexpr double kMoment_px = 1;
 constexpr int kTable = 2000;  // radii, each 1/1000 of the marker's
 
