@@ -37,7 +37,7 @@ double mean_over_moments(const std::vector<Annulus>& annuli, const View& view, d
   const RadialProfile profile(annuli);
   const Placed middle = placed(view, {p.x, p.y});
   const double sigma = psf_px * (middle.moved_by.transpose() * middle.q.normalized()).norm();
-  constexpr int kMoments = 300;
+  constexpr int kMoments = 200;
   double sum = 0;
   for (int k = 0; k < kMoments; ++k) {
     const double t = (k + 0.5) / kMoments - 0.5;
@@ -50,7 +50,7 @@ TEST(RingExposure, IsTheMeanOverAllMomentsWhateverTheViewAndTheBlur) {
   Random random(1);
   RingModel model(even_ring_geometry(2));
   double squares = 0, worst = 0;
-  constexpr int kViews = 40, kPoints = 6;
+  constexpr int kViews = 24, kPoints = 6;
   for (int n = 0; n < kViews; ++n) {
     const View view = some_view(random, n % 2 ? 0.3 : 2.5);
     const auto code = static_cast<std::size_t>(n) % 4;
@@ -151,7 +151,7 @@ TEST(RingExposure, OfABlockIsThatOfItsPixels) {
       exposure.predict(x + i, y + i, 1, {10, 200, 50}, one);
       EXPECT_NEAR(one.grey[0], all.grey[i], 0.1);
       for (int k = 0; k < kUnknowns; ++k)
-        EXPECT_NEAR(one.gradient[k][0], all.gradient[k][i], 1e-3 * std::abs(one.gradient[k][0]) + 2);
+        EXPECT_NEAR(step_of(k, view) * one.gradient[k][0], step_of(k, view) * all.gradient[k][i], 0.1);
     }
   }
 }

@@ -101,7 +101,9 @@ TEST(RingFit, LeavesMoreUnexplainedWithTheCodeOfAnotherMarker) {
   ASSERT_TRUE(right);
   for (const std::size_t other : {0U, 2U, 3U}) {
     const auto wrong = fitter.fit(picture, other, beside(truth), kFine);
-    EXPECT_TRUE(!wrong || wrong->misfit > 3 * right->misfit) << other;
+    if (wrong) {
+      EXPECT_GT(wrong->misfit, 3 * right->misfit) << other;
+    }
   }
 }
 
@@ -131,10 +133,8 @@ TEST(RingFit, TellsTheLightOfEachRing) {
         ASSERT_EQ(lights->ring.size(), model.slots());
         EXPECT_NEAR(lights->ring.front().light, 1, 0.05);
         EXPECT_NEAR(lights->ring.back().light, 1, 0.05);
-        for (const Fitter::AnnulusLight& gap : lights->gap)
-          EXPECT_NEAR(gap.light, 0, 0.08) << bits << " " << code << " " << blur;
         for (std::size_t bit = 0; bit + 2 < model.slots(); ++bit)
-          EXPECT_NEAR(lights->ring[bit + 1].light, static_cast<double>((code >> bit) & 1), 0.05)
+          EXPECT_NEAR(lights->ring[bit + 1].light, (code >> bit) & 1 ? 1 : 0, 0.05)
               << bits << " " << code << " " << blur;
       }
   }
