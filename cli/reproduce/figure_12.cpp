@@ -8,7 +8,7 @@
 namespace relock::reproduction {
 namespace {
 
-const std::string kRing = "ring-paper", kSquare = "aruco";
+const std::string kSquare = "aruco";
 
 /// What one method made of its flight.
 struct Round {
@@ -19,7 +19,7 @@ struct Round {
 };
 
 std::vector<Round> rounds_of(const ScoredComparison& squares, const ScoredComparison* rings) {
-  std::vector<Round> rounds{{"square", kSquare, 60, &squares}, {"ring", kRing, 90, rings}};
+  std::vector<Round> rounds{{"square", kSquare, 60, &squares}, {"ring", std::string(kRing), 90, rings}};
   for (Round& round : rounds)
     if (round.flight) round.scores = flight_scores({*round.flight});
   return rounds;
@@ -87,6 +87,8 @@ Finding finding_of_box(const ScoredComparison& squares, const ScoredComparison* 
   if (!find(rounds[1].scores, kRing))
     finding.sentences.push_back(
         fmt::format("There is no detector {}, so the ring was not looked for.", kRing));
+  finding.sentences.push_back(what_neighbours_cost(rounds[1].scores));
+  std::erase(finding.sentences, "");
   finding.plots = {lanes_of(rounds)};
   finding.figures = figures_of(rounds);
   return finding;
@@ -96,7 +98,8 @@ std::vector<Finding> figure_12(const Settings& settings, const Methods& methods)
   if (settings.quick) return {};
   const auto squares = fly_and_run(settings, {box_of_squares()}, {kSquare}, methods);
   if (!methods.detectors.find(kRing)) return {finding_of_box(squares.front(), nullptr)};
-  const auto rings = fly_and_run(settings, {box_of_rings()}, {kRing}, methods);
+  const auto rings =
+      fly_and_run(settings, {box_of_rings()}, {std::string(kRing), std::string(kRingApart)}, methods);
   return {finding_of_box(squares.front(), &rings.front())};
 }
 

@@ -1,11 +1,19 @@
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/reproduce/experiment.h"
 #include "cli/reproduce/flight_scores.h"
 
 namespace relock::reproduction {
+
+/// The ring's detector as it comes, whose rates are the predictions; and with one constant of the paper's changed after
+/// they were known, to see whether the other markers near the ring are what it fails at.
+inline constexpr std::string_view kRing = "ring-paper", kRingApart = "ring-paper(linkage_px=60)";
+/// What the second one says of the first. `rings`: what both made of the same flights.
+std::string what_neighbours_cost(const std::vector<FlightScores>& rings);
 
 /// Table 2: four flights before a ring between two square markers. QUICK: 120 frames of the second.
 std::vector<Finding> table_2(const Settings& settings, const Methods& methods);

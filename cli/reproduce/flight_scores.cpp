@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "cli/reproduce/contenders.h"
 #include "cli/runs/folder.h"
 #include "cli/runs/missing.h"
 #include "core/error.h"
@@ -15,8 +16,8 @@ namespace {
 
 std::vector<MethodSpec> those_there(const std::vector<std::string>& wanted, const Methods& methods) {
   std::vector<MethodSpec> there;
-  for (const std::string& name : wanted)
-    if (methods.detectors.find(name)) there.push_back({name, {}});
+  for (const std::string& method : wanted)
+    if (is_built_in(methods, method)) there.push_back(parse_methods(method).front());
   if (there.empty()) throw Error(fmt::format("none of the methods {} is known", fmt::join(wanted, ", ")));
   return there;
 }
