@@ -2,6 +2,7 @@
 
 #include "detectors/apriltag.h"
 #include "detectors/aruco.h"
+#include "detectors/ring.h"
 #include "detectors/ring_marker.h"
 #include "detectors/ring_paper.h"
 
@@ -19,6 +20,11 @@ void add_builtin_detectors(Registry<DetectorEntry>& registry) {
        .options = apriltag_option_list(),
        .reads = [](const Options& o) { return std::vector{apriltag_family(apriltag_options(o))}; },
        .make = [](const Options& o, std::uint64_t) { return apriltag_detector(apriltag_options(o)); }});
+  registry.add({.name = "ring",
+                .sentence = "ring markers, by a fit of the whole blurred picture: blur, pose and code",
+                .options = ring_option_list(),
+                .reads = [](const Options& o) { return std::vector{ring_family(ring_options(o).bits)}; },
+                .make = [](const Options& o, std::uint64_t) { return ring_detector(ring_options(o)); }});
   registry.add(
       {.name = "ring-paper",
        .sentence = "ring markers under motion blur, as the paper that proposed them finds them",

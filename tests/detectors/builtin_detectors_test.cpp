@@ -8,7 +8,7 @@ namespace {
 TEST(BuiltinDetectors, CanAllBeMadeWithTheDefaultsTheyList) {
   Registry<DetectorEntry> registry;
   add_builtin_detectors(registry);
-  EXPECT_EQ(registry.names(), (std::vector<std::string>{"aruco", "apriltag", "ring-paper"}));
+  EXPECT_EQ(registry.names(), (std::vector<std::string>{"aruco", "apriltag", "ring", "ring-paper"}));
   for (const DetectorEntry& entry : registry.entries()) {
     const Options defaults(entry.name, entry.options, {});
     EXPECT_NE(entry.make(defaults, 1), nullptr) << entry.name;

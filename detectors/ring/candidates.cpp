@@ -1,0 +1,161 @@
+#include "detectors/ring/candidates.h"
+
+#include <algorithm>
+#include <array>
+#include <bitset>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace relock::ring {
+namespace {
+
+constexpr std::size_t kMostChords = 1500;     // of a picture; the others are less like a marker than these
+constexpr std::size_t kMostCandidates = 300;  // of a picture
+constexpr double kApart = 0.25;               // radii between the middles of chords of one marker
+constexpr double kSlack_px = 2;
+constexpr double kForeshortening = 4.5;  // between the radii of one marker in different directions
+constexpr double kAlongBlur = 0.7;       // of the blur, beyond kApart: the best chord may be at one end of it
+constexpr double kBlurred = 0.3;         // radii: shorter blurs leave the best chord near the middle
+constexpr double kAlmostAsLike = 0.03;
+constexpr double kRadiusOfManyChords_px = 40, kSmall_px = 17;
+constexpr double kSameRadius = 1.25;
+constexpr std::size_t kMostRadii = 3;
+
+/// Total order, so that the answer does not depend on the sorting.
+bool better(const Chord& a, const Chord& b) {
+  const auto key = [](const Chord& chord) {
+    return std::tuple(-chord.likeness, chord.middle.y, chord.middle.x, chord.direction, chord.radius_px);
+  };
+  return key(a) < key(b);
+}
+
+/// Across a line, along the blur, a chord shows the same within a part of the blur's length.
+bool agree(const Chord& best, const Chord& other) {
+  const double larger = std::max(best.radius_px, other.radius_px),
+               smaller = std::min(best.radius_px, other.radius_px);
+  if (larger >= kForeshortening * smaller) return false;
+  const Vec2 apart = other.middle - best.middle;
+  const double tolerance = kApart * larger + kSlack_px;
+  const double along = dot(apart, best.along), square = dot(apart, apart);
+  if (square < tolerance * tolerance) return true;
+  const double across = square - along * along;
+  const double smeared = tolerance + kAlongBlur * best.blur * best.radius_px;
+  return along * along < tolerance * tolerance && across < smeared * smeared;
+}
+
+/// Of chords alike but for where along the blur they are, the one in the middle: they lie evenly about the marker's.
+const Chord& in_the_middle(const Chord& best, const std::vector<Chord>& chords) {
+  if (best.blur < kBlurred) return best;
+  const auto alike = [&](const Chord& chord) {
+    return chord.direction == best.direction && chord.code == best.code &&
+           chord.likeness > best.likeness - kAlmostAsLike && chord.radius_px < 1.1 * best.radius_px &&
+           best.radius_px < 1.1 * chord.radius_px;
+  };
+  const auto across = [&](const Chord& chord) {
+    const Vec2 apart = chord.middle - best.middle;
+    return apart.y * best.along.x - apart.x * best.along.y;
+  };
+  double sum = 0;
+  int count = 0;
+  for (const Chord& chord : chords)
+    if (alike(chord)) sum += across(chord), ++count;
+  const Chord* middle = &best;
+  for (const Chord& chord : chords)
+    if (alike(chord) && std::abs(across(chord) - sum / count) < std::abs(across(*middle) - sum / count))
+      middle = &chord;
+  return *middle;
+}
+
+/// Chords of about one radius among those of a candidate.
+struct Radius {
+  const Chord* best;
+  int chords;
+  /// The inner rings of a marker can look like a smaller marker: of equals the larger one is meant.
+  double score() const {
+    return best->likeness + 0.015 * std::log2(chords + 1.0) + 0.05 * std::log(best->radius_px);
+  }
+};
+
+/// The best chords of the most convincing radii, kMostRadii at most. `chords`: best first.
+std::vector<Chord> of_convincing_radii(const std::vector<Chord>& chords) {
+  std::array<Radius, 16> radii{};
+  std::size_t count = 0;
+  for (const Chord& chord : chords) {
+    const auto same = std::find_if(radii.begin(), radii.begin() + count, [&](const Radius& radius) {
+      return chord.radius_px < kSameRadius * radius.best->radius_px &&
+             radius.best->radius_px < kSameRadius * chord.radius_px;
+    });
+    if (same != radii.begin() + count)
+      ++same->chords;
+    else if (count < radii.size())
+      radii[count++] = {&chord, 1};
+  }
+  std::stable_sort(radii.begin(), radii.begin() + count,
+                   [](const Radius& a, const Radius& b) { return a.score() > b.score(); });
+  std::vector<Chord> best;
+  for (std::size_t i = 0; i < std::min(count, kMostRadii); ++i) best.push_back(*radii[i].best);
+  return best;
+}
+
+/// Likeness first. Profiles of long blurs have little of their own: much clutter is like one of them. Of a small marker
+/// fewer lines see anything, and in two directions only (finder.cpp), which is not held against it.
+double score(const Chord& like, const Candidate& candidate) {
+  const double expected = std::clamp(like.radius_px / kRadiusOfManyChords_px, 0.25, 1.0);
+  const double many = std::log2(static_cast<double>(candidate.chords.size()) / expected + 1);
+  const double directions = candidate.directions * (like.radius_px < kSmall_px ? 5 : 1);
+  return like.likeness + 0.015 * std::min(5.0, many) + 0.003 * directions -
+         0.05 * std::max(0.0, like.blur - 1);
+}
+
+}  // namespace
+
+const std::vector<Candidate>& CandidateGrouper::group(std::vector<Chord>& chords) {
+  std::sort(chords.begin(), chords.end(), better);
+  if (chords.size() > kMostChords) chords.resize(kMostChords);
+  std::move(candidates_.begin(), candidates_.end(), std::back_inserter(spare_));
+  candidates_.clear();
+  for (const Chord& chord : chords) {
+    const auto home = std::find_if(candidates_.begin(), candidates_.end(),
+                                   [&](const Candidate& candidate) { return agree(candidate.best, chord); });
+    if (home != candidates_.end())
+      home->chords.push_back(chord);
+    else if (candidates_.size() < kMostCandidates)
+      fresh(chord).chords.push_back(chord);
+  }
+  for (Candidate& candidate : candidates_) rank(candidate);
+  std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
+    return a.score != b.score ? a.score > b.score : better(a.best, b.best);
+  });
+  return candidates_;
+}
+
+Candidate& CandidateGrouper::fresh(const Chord& best) {
+  if (spare_.empty()) {
+    candidates_.emplace_back();
+  } else {
+    candidates_.push_back(std::move(spare_.back()));
+    spare_.pop_back();
+  }
+  Candidate& candidate = candidates_.back();
+  candidate.chords.clear();
+  candidate.best = best;
+  return candidate;
+}
+
+void CandidateGrouper::rank(Candidate& candidate) const {
+  const std::vector<Chord> radii = of_convincing_radii(candidate.chords);
+  const Chord& like = radii.front();
+  candidate.best = in_the_middle(like, candidate.chords);
+  candidate.others.clear();
+  for (std::size_t i = 1; i < radii.size(); ++i)
+    candidate.others.push_back(in_the_middle(radii[i], candidate.chords));
+  std::bitset<32> seen;
+  for (const Chord& chord : candidate.chords)
+    if (chord.code == candidate.best.code && chord.likeness > 0.88)
+      seen.set(static_cast<std::size_t>(chord.direction));
+  candidate.directions = static_cast<int>(seen.count());
+  candidate.score = score(like, candidate);
+}
+
+}  // namespace relock::ring

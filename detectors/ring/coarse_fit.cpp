@@ -1,0 +1,82 @@
+#include "detectors/ring/coarse_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "detectors/ring/likeness.h"
+
+namespace relock::ring {
+namespace {
+
+// A start that is less like the picture is not worth a fit; nor is one that is so much less so than the best.
+constexpr double kLeastLikeness = 0.4, kWorse = 0.15;
+constexpr std::size_t kMostStarts = 4;
+/// A coarse fit that is good enough to try no other start, and one that is none.
+constexpr double kGoodMisfit = 0.25, kMostMisfit = 0.55;
+// px of the level: a smaller marker shows no rings, and a larger one would have been found on a coarser level.
+constexpr double kLeastRadius_px = 2, kMostRadius_px = 400;
+/// What most cameras have, in widths of the picture; only how strong a perspective is tried depends on it.
+constexpr double kFocalWidths = 0.9;
+
+/// Whether a fit from one would come to the same as a fit from the other.
+bool alike(const View& a, const View& b) {
+  const double r = b.radius();
+  const double blur_apart = std::min((a.blur - b.blur).norm(), (a.blur + b.blur).norm());
+  return (a.centre - b.centre).norm() < 0.08 * r && std::abs(a.xx - b.xx) * r < 0.12 &&
+         std::abs(a.xy - b.xy) * r < 0.12 && std::abs(a.yy - b.yy) * r < 0.12 &&
+         (a.vanishing - b.vanishing).norm() * r < 0.03 && blur_apart < 0.2 * r;
+}
+
+}  // namespace
+
+std::size_t first_level(const Candidate& candidate) {
+  const Chord& best = candidate.best;
+  double least = best.radius_px;
+  for (const Chord& chord : candidate.chords)
+    if (chord.code == best.code && chord.likeness > best.likeness - 0.06 &&
+        chord.radius_px > 0.2 * best.radius_px)
+      least = std::min(least, chord.radius_px);
+  return least > 44 ? 2 : least > 20 ? 1 : 0;
+}
+
+std::vector<ScoredView> scored_starts(const Candidate& candidate, const std::vector<Chord>& chords,
+                                      const Pyramid& pyramid, std::size_t level, RingModel& model) {
+  const int scale = 1 << level;
+  const cv::Mat& gray = pyramid.level[level];
+  const View here = in_larger_pixels(straight_on(candidate.best.middle, candidate.best.radius_px), scale);
+  const LocalBlur blur = local_blur(gray, here.centre, 0.95 * here.radius());
+  std::vector<ScoredView> scored;
+  for (const View& start : starts(candidate, chords, blur, kFocalWidths * pyramid.full().cols)) {
+    const View view = in_larger_pixels(start, scale);
+    if (!view.possible() || view.radius() < kLeastRadius_px || view.radius() > kMostRadius_px) continue;
+    scored.push_back({view, likeness(gray, model, candidate.best.code, view, kCoarsePsf_px)});
+  }
+  std::stable_sort(scored.begin(), scored.end(),
+                   [](const ScoredView& a, const ScoredView& b) { return a.likeness > b.likeness; });
+  return scored;
+}
+
+std::optional<Fit> fit_from_best(const std::vector<ScoredView>& starts, std::size_t code,
+                                 const Pyramid& pyramid, std::size_t level, Fitter& fitter) {
+  const FitOptions coarse{
+      .pixels = 130, .steps = 6, .psf_px = kCoarsePsf_px, .settled = 0.1, .hopeless = 0.82};
+  std::vector<const View*> tried;
+  std::optional<Fit> best;
+  for (const auto& [view, likeness] : starts) {
+    if (tried.size() == kMostStarts || likeness < kLeastLikeness ||
+        likeness < starts.front().likeness - kWorse)
+      break;
+    if (std::any_of(tried.begin(), tried.end(),
+                    [&, &v = view](const View* other) { return alike(*other, v); }))
+      continue;
+    tried.push_back(&view);
+    const auto fit = fitter.fit(pyramid.level[level], code, view, coarse);
+    if (fit && (!best || fit->misfit < best->misfit)) best = fit;
+    if (best && best->misfit < kGoodMisfit) break;
+  }
+  if (!best || best->misfit > kMostMisfit) return {};
+  best->view = in_smaller_pixels(best->view, 1 << level);
+  return best;
+}
+
+}  // namespace relock::ring

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "detectors/ring/fit.h"
+#include "detectors/ring/pyramid.h"
+#include "detectors/ring/starts.h"
+
+namespace relock::ring {
+
+/// A view to start from, and how like the picture it is.
+struct ScoredView {
+  View view;  ///< px of the level that it was scored on
+  double likeness = 0;
+};
+
+/// The level of the pyramid on which a candidate is looked at first: that which shows its radius with 14 to 28 px, or
+/// as nearly so as there is one. Of a tilted marker the shorter radius decides what can be told apart.
+std::size_t first_level(const Candidate& candidate);
+
+/// The views from which a fit may start, the likeliest first. `chords`: all of the picture.
+std::vector<ScoredView> scored_starts(const Candidate& candidate, const std::vector<Chord>& chords,
+                                      const Pyramid& pyramid, std::size_t level, RingModel& model);
+
+/// Standard deviation of lens and pixel that the coarse fit takes for granted, px of its level.
+constexpr double kCoarsePsf_px = 0.6;
+
+/// The best fit from the likeliest starts that differ, px of the full picture. Nothing where no marker explains what is
+/// seen even roughly.
+std::optional<Fit> fit_from_best(const std::vector<ScoredView>& starts, std::size_t code,
+                                 const Pyramid& pyramid, std::size_t level, Fitter& fitter);
+
+}  // namespace relock::ring

@@ -1,0 +1,143 @@
+#include "detectors/ring/detector.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/opencv.h"
+#include "detectors/part.h"
+
+namespace relock::ring {
+namespace {
+
+/// `options.geometry` with what else the options say of it. Throws Error if it is none.
+RingGeometry geometry_of(const RingOptions& options) {
+  RingGeometry geometry = ring_geometry(options.geometry, options.bits);
+  geometry.inverted = options.inverted;
+  return geometry;
+}
+
+/// Small markers are crossed by few lines, but clear ones.
+bool promising(const Candidate& candidate) {
+  const Chord& best = candidate.best;
+  const bool small_and_clear = best.radius_px < 20 && best.likeness > 0.94;
+  return best.likeness >= 0.9 && (candidate.chords.size() >= 3 || small_and_clear);
+}
+
+bool within_one(const std::vector<Reading>& markers, const Candidate& candidate) {
+  const Eigen::Vector2d middle(candidate.best.middle.x, candidate.best.middle.y);
+  return std::any_of(markers.begin(), markers.end(),
+                     [&](const Reading& marker) { return placed(marker.fit.view, middle).q.norm() < 0.9; });
+}
+
+/// One marker is found once: of two that overlap the better one stays.
+void keep(const Reading& reading, std::vector<Reading>& markers) {
+  for (Reading& other : markers) {
+    if (placed(other.fit.view, reading.fit.view.centre).q.norm() > 0.7) continue;
+    if (reading.fit.misfit < other.fit.misfit) other = reading;
+    return;
+  }
+  markers.push_back(reading);
+}
+
+void sort_best_first(std::vector<Reading>& markers) {
+  std::stable_sort(markers.begin(), markers.end(),
+                   [](const Reading& a, const Reading& b) { return a.fit.misfit < b.fit.misfit; });
+}
+
+}  // namespace
+
+RingDetector::RingDetector(const RingOptions& options)
+    : options_(options),
+      model_(geometry_of(options)),
+      finder_(model_.geometry(), {.min_diameter_px = options.min_diameter_px}),
+      fitter_(model_),
+      codes_(all_ring_bits(options.bits)) {}
+
+// The method, step by step:
+// (1) chords: lines across the picture that are symmetric like lines through a marker;
+// (2) candidates: places that chords agree on, best first;
+// (3) starts: every view of a marker that such chords allow, scored by how like the picture it is;
+// (4) fit: the picture that a moving marker leaves, fitted from the likeliest starts;
+// (5) rings: how bright each ring is by itself says the bits, and whether it is a marker at all.
+const Look& RingDetector::look(const Image& image) {
+  look_ = {};
+  look_.gray = white_on_black(image);
+  if (std::min(look_.gray.cols, look_.gray.rows) < options_.min_diameter_px) return look_;
+  pyramid_.build(look_.gray);
+  look_.candidates = &finder_.find(pyramid_);  // 1, 2
+  look_at_best();                              // 3, 4, 5
+  if (look_.markers.empty()) look_at_other_radii();
+  sort_best_first(look_.markers);
+  return look_;
+}
+
+void RingDetector::look_at_best() {
+  for (const Candidate& candidate : *look_.candidates) {
+    if (look_.closely.size() == static_cast<std::size_t>(options_.max_candidates)) break;
+    if (!promising(candidate) || within_one(look_.markers, candidate)) continue;
+    look_.closely.push_back(look_closely(candidate));
+    if (const auto& reading = look_.closely.back().read) keep(*reading, look_.markers);
+  }
+}
+
+// A candidate may be a marker of another radius than its best chord says: that may be an inner ring, or clutter around.
+void RingDetector::look_at_other_radii() {
+  other_radii_.clear();
+  for (const Closely& close : std::vector(look_.closely))
+    for (const Chord& chord : close.candidate->others) {
+      if (chord.likeness < 0.88) continue;
+      other_radii_.push_back(*close.candidate);
+      other_radii_.back().best = chord;
+      look_.closely.push_back(look_closely(other_radii_.back()));
+      if (const auto& reading = look_.closely.back().read) {
+        keep(*reading, look_.markers);
+        break;
+      }
+    }
+}
+
+Closely RingDetector::look_closely(const Candidate& candidate) {
+  Closely close{&candidate, first_level(candidate), {}};
+  close.starts = scored_starts(candidate, finder_.chords(), pyramid_, close.level, model_);         // 3
+  close.coarse = fit_from_best(close.starts, candidate.best.code, pyramid_, close.level, fitter_);  // 4
+  if (close.coarse) close.read = read(pyramid_, fitter_, *close.coarse, {});                        // 5
+  return close;
+}
+
+Sightings RingDetector::detect(const Image& image, const std::optional<Box>& where) {
+  const auto offset = look_at_part(image, where);
+  return offset ? sightings(*offset) : Sightings{};
+}
+
+std::optional<Vec2> RingDetector::look_at_part(const Image& image, const std::optional<Box>& where) {
+  if (image.empty()) throw Error("ring was given an empty picture");
+  const Part part = part_to_search(image, where);
+  if (part.image.empty()) return {};
+  look(part.image);
+  return part.offset;
+}
+
+cv::Mat RingDetector::white_on_black(const Image& image) {
+  const cv::Mat gray = gray_of(image, gray_);
+  if (!options_.inverted) return gray;
+  cv::bitwise_not(gray, negative_);
+  return negative_;
+}
+
+Sightings RingDetector::sightings(Vec2 offset) const {
+  Sightings all;
+  for (const Reading& marker : look_.markers) {
+    const View& view = marker.fit.view;
+    Ellipse outline = outline_of(view);
+    outline.centre = outline.centre + offset;
+    all.push_back({.centre = Vec2{view.centre.x(), view.centre.y()} + offset,
+                   .centre_kind = CentreKind::projected,
+                   .outline = outline,
+                   .code = Code{ring_family(options_.bits), codes_[marker.code]},
+                   .confidence = std::clamp(1 - marker.fit.misfit, 0.0, 1.0),
+                   .blur = blur_of(view)});
+  }
+  return all;
+}
+
+}  // namespace relock::ring

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "detectors/ring/exposure.h"
+
+namespace relock::ring {
+
+/// How like a marker of this code and view the picture is: the correlation of the two, but for what leaks
+/// in from around the sheet, on some 80 points
+/// spread evenly over the disc, to 1; -1 where too few of them are in the picture. Quick: for choosing among many
+/// views, not for judging one.
+double likeness(const cv::Mat& gray, RingModel& model, std::size_t code, const View& view, double psf_px);
+
+}  // namespace relock::ring

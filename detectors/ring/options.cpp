@@ -1,0 +1,35 @@
+#include <fmt/format.h>
+
+#include "detectors/ring/detector.h"
+
+namespace relock {
+
+std::vector<OptionInfo> ring_option_list() {
+  const RingOptions d;
+  return {
+      {"bits", fmt::format("{}", d.bits), "", "bits of the codes: 1 to 6"},
+      {"geometry", d.geometry, "", "where the rings are: paper, even, or radii (relock marker has the same)"},
+      {"inverted", d.inverted ? "true" : "false", "", "true: black rings on white"},
+      {"min_diameter_px", fmt::format("{}", d.min_diameter_px), "px",
+       "smallest marker looked for, along the line on which it is shortest"},
+      {"max_candidates", fmt::format("{}", d.max_candidates), "",
+       "places that are looked at closely; more is slower and finds more in clutter"},
+  };
+}
+
+RingOptions ring_options(const Options& given) {
+  RingOptions o;
+  o.bits = given.whole("bits", 1, kMostRingBits);
+  o.geometry = given.word("geometry");
+  o.inverted = given.flag("inverted");
+  o.min_diameter_px = given.number("min_diameter_px", 15, 10000);
+  o.max_candidates = given.whole("max_candidates", 1, 1000);
+  ring_geometry(o.geometry, o.bits);  // throws if it is none
+  return o;
+}
+
+std::unique_ptr<Detector> ring_detector(const RingOptions& options) {
+  return std::make_unique<ring::RingDetector>(options);
+}
+
+}  // namespace relock

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "detectors/ring/fit.h"
+#include "detectors/ring/pyramid.h"
+
+namespace relock::ring {
+
+/// What a reading must be to count.
+struct Acceptance {
+  double most_misfit = 0.36;
+  double most_doubt = 0.07;
+  double most_light_between = 0.15;  ///< rings, in gaps that are told apart
+  double least_gain = 25;            ///< grey levels from black to white
+};
+
+/// A marker that was read.
+struct Reading {
+  Fit fit;  ///< in px of the full picture
+  std::size_t code = 0;
+  double psf_px = 0;
+  /// How far the light of a ring is from what its code says at most, in parts of white: always white ones from
+  /// each other, bits from black or white.
+  double doubt = 1;
+  std::vector<Fitter::AnnulusLight> lights;  ///< of each ring, as Fitter::RingLights has them
+};
+
+/// Reads the bits of a marker about whose view `coarse` is right: each ring's own light says whether it is there. Then
+/// fits once more with that code, finely and with the sharpness of this picture, and reads again, until code and view
+/// agree. Nothing where they do not.
+std::optional<Reading> read(const Pyramid& pyramid, Fitter& fitter, const Fit& coarse,
+                            const Acceptance& acceptance);
+
+}  // namespace relock::ring
