@@ -13,6 +13,10 @@ CLI::Option* add_gate(CLI::App& verb, Text& gate, const std::string& when) {
                          when + ": centre (within 0.25 D) or iou (overlap of boxes at least 0.5)");
 }
 
+void add_jobs(CLI::App& verb, int& jobs, const std::string& what) {
+  verb.add_option("--jobs,-j", jobs, what)->check(CLI::Range(1, 256))->capture_default_str();
+}
+
 void add_run(CLI::App& app, RunArguments& a) {
   CLI::App& verb = *app.add_subcommand("run", "Show recordings to methods and write down what they say");
   verb.add_option("plan", a.plan, "a plan file (TOML): sequences x gaps x methods x protocols x seeds");
@@ -44,9 +48,7 @@ void add_run(CLI::App& app, RunArguments& a) {
       "real time: what an answer takes; measured (if none is given), constant(20ms), or a file with "
       "columns frame and wall_ms");
   verb.add_option("--out", a.out, "folder for the results; else results");
-  verb.add_option("--jobs,-j", a.jobs,
-                  "runs at a time; the results are the same for any number, their timing is not")
-      ->capture_default_str();
+  add_jobs(verb, a.jobs, "runs at a time; the results are the same for any number, their timing is not");
   verb.add_option("--frame-limit", a.frame_limit_s,
                   "seconds that a method may take for one frame before it counts as hung; else 60");
   verb.add_option("--memory-limit", a.memory_limit_mb, "MB that a run may allocate; else 4096");
@@ -161,8 +163,7 @@ void add_simulate(CLI::App& app, SimulateArguments& a) {
   verb.add_option("--gaps", a.gaps, "frames that are not recorded: a pattern as of `relock run`");
   verb.add_option("--out", a.out, "the recording's folder; it must not be there yet");
   verb.add_option("--preview", a.preview, "write a video of it, too (.mp4)");
-  verb.add_option("--jobs,-j", a.jobs, "frames made at a time; the bytes are the same for any number")
-      ->capture_default_str();
+  add_jobs(verb, a.jobs, "frames made at a time; the bytes are the same for any number");
   verb.add_flag("--list", a.list, "name the presets");
   verb.add_flag("--show", a.show, "print the whole plan and make nothing");
 }
@@ -186,8 +187,7 @@ void add_map(CLI::App& app, MapArguments& a) {
   verb.add_option("--detector", a.detector, "which detector is compared; else the best over the map");
   verb.add_option("--out", a.out, "the map's folder; what is there already is not made again")
       ->capture_default_str();
-  verb.add_option("--jobs,-j", a.jobs, "flights and runs at a time; the map is the same for any number")
-      ->capture_default_str();
+  add_jobs(verb, a.jobs, "flights and runs at a time; the map is the same for any number");
   verb.add_flag("--quick", a.quick, "a small map for a first look");
   verb.add_flag("--dry-run", a.dry_run, "say what would be made, and about how long it takes");
 }
@@ -199,8 +199,7 @@ void add_reproduce(CLI::App& app, ReproduceArguments& a) {
   verb.add_option("--out", a.out,
                   "the folder; what is there already is not made again; else reproduction, or "
                   "reproduction-quick");
-  verb.add_option("--jobs,-j", a.jobs, "pictures at a time; the figures are the same for any number")
-      ->capture_default_str();
+  add_jobs(verb, a.jobs, "pictures at a time; the figures are the same for any number");
   verb.add_option("--only", a.only, "experiments, separated by commas: figure-11,table-1; else all")
       ->delimiter(',');
   verb.add_flag("--json", a.json, "print all figures as JSON");

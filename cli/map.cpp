@@ -90,7 +90,6 @@ void write_map(const SweepPlan& plan, const maps::MeasuredMap& map, const maps::
 int map(const MapArguments& arguments, const Methods& methods) {
   cv::setNumThreads(1);  // the same bytes on any machine
   cv::ocl::setUseOpenCL(false);
-  if (arguments.jobs < 1 || arguments.jobs > 256) throw Error("--jobs must be from 1 to 256");
   const SweepPlan plan = plan_of(arguments);
   check_methods(plan, arguments, methods);
   if (arguments.dry_run) {

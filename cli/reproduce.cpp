@@ -21,7 +21,6 @@ using reproduction::Finding;
 using reproduction::Settings;
 
 Settings settings_of(const ReproduceArguments& a) {
-  if (a.jobs < 1 || a.jobs > 256) throw Error("--jobs must be from 1 to 256");
   return {.out = a.out.value_or(a.quick ? "reproduction-quick" : "reproduction"),
           .quick = a.quick,
           .jobs = a.jobs};

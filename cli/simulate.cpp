@@ -119,7 +119,6 @@ int simulate(const SimulateArguments& arguments) {
     return 0;
   }
   if (!arguments.out) throw Error("where the flight goes is missing: --out FOLDER");
-  if (arguments.jobs < 1 || arguments.jobs > 256) throw Error("--jobs must be from 1 to 256");
   cv::setNumThreads(1);  // the frames are made in parallel, not their parts
   Progress progress("simulating", simulator::frames_of(plan));
   simulator::FlightOptions options;

@@ -11,6 +11,7 @@
 
 #include "cli/files.h"
 #include "core/error.h"
+#include "tests/fault.h"
 
 namespace relock {
 namespace {
@@ -38,15 +39,6 @@ class Plots : public testing::Test {
 
 Plot one_curve(PlotCurve curve) {
   return {.title = "t", .x = {"x"}, .y = {"y"}, .curves = {std::move(curve)}};
-}
-
-std::string fault_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const Error& fault) {
-    return fault.what();
-  }
-  return "";
 }
 
 std::size_t count(std::string_view text, std::string_view part) {

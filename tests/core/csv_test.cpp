@@ -8,29 +8,27 @@
 #include "core/error.h"
 #include "core/outline_csv.h"
 #include "core/random.h"
+#include "tests/fault.h"
 
 namespace relock {
 namespace {
 
 /// The error that reading `text` and asking every cell for a number ends in; empty if there is none.
-std::string fault_of(const std::string& text) {
-  try {
+std::string fault_of_csv(const std::string& text) {
+  return fault_of([&] {
     std::istringstream in(text);
     CsvReader rows(in, "file.csv");
     while (rows.next())
       for (std::size_t i = 0; i < rows.header().size(); ++i) rows.number(i);
-  } catch (const Error& fault) {
-    return fault.what();
-  }
-  return "";
+  });
 }
 
 TEST(CsvReader, NamesFileLineAndColumnOfABadNumber) {
-  EXPECT_EQ(fault_of("a,b\n1,2\n3,x\n"), "file.csv:3: column b: \"x\" is no finite number");
-  EXPECT_EQ(fault_of("a,b\n1,nan\n"), "file.csv:2: column b: \"nan\" is no finite number");
-  EXPECT_EQ(fault_of("a,b\n1\n"), "file.csv:2: this line has 1 cells and the header has 2");
-  EXPECT_EQ(fault_of("a,a\n"), "file.csv:1: two columns are called \"a\"");
-  EXPECT_EQ(fault_of(""), "file.csv: the file is empty; it needs a header line");
+  EXPECT_EQ(fault_of_csv("a,b\n1,2\n3,x\n"), "file.csv:3: column b: \"x\" is no finite number");
+  EXPECT_EQ(fault_of_csv("a,b\n1,nan\n"), "file.csv:2: column b: \"nan\" is no finite number");
+  EXPECT_EQ(fault_of_csv("a,b\n1\n"), "file.csv:2: this line has 1 cells and the header has 2");
+  EXPECT_EQ(fault_of_csv("a,a\n"), "file.csv:1: two columns are called \"a\"");
+  EXPECT_EQ(fault_of_csv(""), "file.csv: the file is empty; it needs a header line");
 }
 
 TEST(CsvReader, TakesQuotesWindowsLineEndsEmptyLinesAndAByteOrderMark) {
@@ -63,7 +61,7 @@ TEST(CsvReader, EndsInAnErrorOrNotAtAllOnAnyBytes) {
   for (int i = 0; i < 20000; ++i) {
     std::string text = "a,b,c\n";
     for (auto n = random.below(40); n > 0; --n) text += alphabet[random.below(alphabet.size())];
-    fault_of(text);  // throws nothing but Error
+    fault_of_csv(text);  // throws nothing but Error
   }
 }
 

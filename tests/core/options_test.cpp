@@ -3,26 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <functional>
 
 #include "core/error.h"
 #include "core/nearest.h"
 #include "core/random.h"
+#include "tests/fault.h"
 
 namespace relock {
 namespace {
 
 const std::vector<OptionInfo> kKnown{
     {"padding", "2.5", "", ""}, {"resize", "true", "", ""}, {"mode", "a", "", ""}};
-
-std::string fault_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const Error& fault) {
-    return fault.what();
-  }
-  return "";
-}
 
 TEST(Options, HaveTheirDefaultsUnlessGiven) {
   const Options options("kcf", kKnown, {{"padding", "3"}});

@@ -67,20 +67,12 @@ said=$("$relock" map "${small[@]}" --axes rate,blur --across 10,30 --out "$work/
 expect "rates are mapped" 0 $?
 expect_contains "from flights that are there" "frame rate, Hz" "$said"
 
-mistake() {  # WHAT SENTENCE ARGUMENT...
-  local what=$1 sentence=$2 error
-  shift 2
-  error=$("$relock" map "$@" 2>&1 >/dev/null)
-  expect "$what: exit status" 2 $?
-  expect_contains "$what" "$sentence" "$error"
-  expect "$what: one line" 1 "$(wc -l <<<"$error")"
-}
-mistake "no axes" "they are gap,blur, rate,blur and size,blur" --axes blur,gap
-mistake "flights too short" "--duration must be 0.5 s or more" --duration 0.2
-mistake "no detector" "--methods names no detector" --methods kcf,csrt
-mistake "an unknown method" 'did you mean "csrt"?' --methods crst,apriltag
-mistake "a detector that reads other codes" "reads codes of" --methods kcf,aruco --duration 0.5 --seeds 1 --exposures 4 --across 1 --out "$work/codes"
-mistake "an exposure too long" "--exposures has 50" --exposures 50
-mistake "a tracker that is not there" "--tracker csrt" --methods kcf,apriltag --tracker csrt
-mistake "other flights" "was flown by another plan" --out "$work/one" "${small[@]}" --target apriltag36h11:4
+expect_mistake map "no axes" "they are gap,blur, rate,blur and size,blur" --axes blur,gap
+expect_mistake map "flights too short" "--duration must be 0.5 s or more" --duration 0.2
+expect_mistake map "no detector" "--methods names no detector" --methods kcf,csrt
+expect_mistake map "an unknown method" 'did you mean "csrt"?' --methods crst,apriltag
+expect_mistake map "a detector that reads other codes" "reads codes of" --methods kcf,aruco --duration 0.5 --seeds 1 --exposures 4 --across 1 --out "$work/codes"
+expect_mistake map "an exposure too long" "--exposures has 50" --exposures 50
+expect_mistake map "a tracker that is not there" "--tracker csrt" --methods kcf,apriltag --tracker csrt
+expect_mistake map "other flights" "was flown by another plan" --out "$work/one" "${small[@]}" --target apriltag36h11:4
 finish

@@ -49,17 +49,9 @@ said=$(PATH=/nonexistent "$relock" reproduce --quick --out "$out" --only figure-
 expect "without gnuplot it goes on" 0 $?
 expect_contains "and says so" "no gnuplot" "$said"
 
-mistake() {  # WHAT SENTENCE ARGUMENT...
-  local what=$1 sentence=$2 error
-  shift 2
-  error=$("$relock" reproduce "$@" 2>&1 >/dev/null)
-  expect "$what: exit status" 2 $?
-  expect_contains "$what" "$sentence" "$error"
-  expect "$what: one line" 1 "$(wc -l <<<"$error")"
-}
-mistake "an unknown experiment" 'did you mean "figure-11"?' --only figure11
-mistake "no jobs" "--jobs must be from 1 to 256" --jobs 0
-mistake "a full one beside a quick one" "holds a quick reproduction, not a full one" --out "$out"
-mistake "another's folder" "holds something else" --out tests
-mistake "a file" "is a file" --out README.md
+expect_mistake reproduce "an unknown experiment" 'did you mean "figure-11"?' --only figure11
+expect_mistake reproduce "no jobs" "--jobs: Value 0 not in range 1 to 256" --jobs 0
+expect_mistake reproduce "a full one beside a quick one" "holds a quick reproduction, not a full one" --out "$out"
+expect_mistake reproduce "another's folder" "holds something else" --out tests
+expect_mistake reproduce "a file" "is a file" --out README.md
 finish

@@ -34,29 +34,21 @@ expect "stills are made again" "" "$(diff -r "$work/stills" "$work/again/stills"
 expect_contains "presets are listed" "violent" "$("$relock" simulate --list)"
 expect_contains "a plan is shown" "most_rate_deg_s = 500" "$("$relock" simulate --preset violent --show)"
 
-mistake() {  # WHAT SENTENCE ARGUMENT...
-  local what=$1 sentence=$2 error
-  shift 2
-  error=$("$relock" simulate "$@" 2>&1 >/dev/null)
-  expect "$what: exit status" 2 $?
-  expect_contains "$what" "$sentence" "$error"
-  expect "$what: one line" 1 "$(wc -l <<<"$error")"
-}
-mistake "no folder" "--out FOLDER"
-mistake "no preset" 'did you mean "violent"?' --preset violet --out "$work/x"
-mistake "no target" "ring" --target rung:01 --out "$work/x"
-mistake "a folder that is there" "is there already" --out "$work/flight"
-mistake "stills in time" "have no time" --preset stills --duration 3 --out "$work/x"
-mistake "stills of one target twice" "asked for twice" --preset stills --target ring:01 --target ring:01 --out "$work/x"
+expect_mistake simulate "no folder" "--out FOLDER"
+expect_mistake simulate "no preset" 'did you mean "violent"?' --preset violet --out "$work/x"
+expect_mistake simulate "no target" "ring" --target rung:01 --out "$work/x"
+expect_mistake simulate "a folder that is there" "is there already" --out "$work/flight"
+expect_mistake simulate "stills in time" "have no time" --preset stills --duration 3 --out "$work/x"
+expect_mistake simulate "stills of one target twice" "asked for twice" --preset stills --target ring:01 --target ring:01 --out "$work/x"
 printf '[scene]\nbackground = "none.jpg"\n' >"$work/plan.toml"
-mistake "no background" "none.jpg" "$work/plan.toml" --out "$work/x"
+expect_mistake simulate "no background" "none.jpg" "$work/plan.toml" --out "$work/x"
 printf '[exposure]\ntime_ms = -3\n' >"$work/plan.toml"
-mistake "negative exposure" "time_ms is -3" "$work/plan.toml" --out "$work/x"
+expect_mistake simulate "negative exposure" "time_ms is -3" "$work/plan.toml" --out "$work/x"
 expect "nothing is left of what failed" "" "$(ls -A "$work" | grep -F x)"
 
 # A disk that fills up half-way: a file system of 1 MB, where one may be mounted.
 if mkdir "$work/small" && mount -t tmpfs -o size=1m none "$work/small" 2>/dev/null; then
-  mistake "a full disk" "is the disk full?" --duration 3 --out "$work/small/flight"
+  expect_mistake simulate "a full disk" "is the disk full?" --duration 3 --out "$work/small/flight"
   expect "and leaves no half sequence" "" "$(ls -A "$work/small")"
   umount "$work/small"
 fi

@@ -16,6 +16,16 @@ expect_contains() {  # WHAT PART WHOLE
   if [[ $3 == *"$2"* ]]; then expect "$1" "$2" "$2"; else expect "$1" "…$2…" "$3"; fi
 }
 
+# A mistake in what $relock is asked is one sentence and exit 2.
+expect_mistake() {  # VERB WHAT SENTENCE ARGUMENT...
+  local verb=$1 what=$2 sentence=$3 error
+  shift 3
+  error=$("$relock" "$verb" "$@" 2>&1 >/dev/null)
+  expect "$what: exit status" 2 $?
+  expect_contains "$what" "$sentence" "$error"
+  expect "$what: one line" 1 "$(wc -l <<<"$error")"
+}
+
 finish() {
   echo "$expectations_met passed, $expectations_missed failed"
   ((expectations_missed == 0))

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "core/error.h"
+#include "tests/fault.h"
 
 namespace relock {
 
@@ -24,16 +24,5 @@ class Scratch {
  private:
   std::filesystem::path path_;
 };
-
-/// The sentence of the Error that `act` ends in; empty if it does not.
-template <class Act>
-std::string fault_of(Act act) {
-  try {
-    act();
-  } catch (const Error& fault) {
-    return fault.what();
-  }
-  return "";
-}
 
 }  // namespace relock

@@ -7,6 +7,7 @@
 #include <opencv2/core/version.hpp>
 
 #include "core/error.h"
+#include "tests/fault.h"
 #include "tests/trackers/moving_patch.h"
 
 namespace relock {
@@ -33,56 +34,46 @@ class NetworkTracker : public testing::Test {
       ("relock-network-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
-template <class Make>
-std::string fault(const Make& make) {
-  try {
-    make();
-  } catch (const Error& said) {
-    return said.what();
-  }
-  return "";
-}
-
 bool mentions(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
 TEST_F(NetworkTracker, WithoutItsFileSaysWhichOptionIsMissingAndWhereSuchFilesAre) {
-  const std::string said = fault([] { dasiamrpn_tracker({}); });
+  const std::string said = fault_of([] { dasiamrpn_tracker({}); });
   EXPECT_TRUE(mentions(said, "dasiamrpn: option model is not given")) << said;
   EXPECT_TRUE(mentions(said, "model zoo")) << said;
-  EXPECT_TRUE(mentions(fault([] { goturn_tracker({}); }), "goturn: option model is not given"));
+  EXPECT_TRUE(mentions(fault_of([] { goturn_tracker({}); }), "goturn: option model is not given"));
 }
 
 TEST_F(NetworkTracker, NamesTheFileThatDoesNotExistIsAFolderOrEmpty) {
   const std::string some = file("some.onnx", "x"), empty = file("empty.onnx", "");
-  const std::string missing = fault([&] { dasiamrpn_tracker({some, folder() + "/none.onnx", some}); });
+  const std::string missing = fault_of([&] { dasiamrpn_tracker({some, folder() + "/none.onnx", some}); });
   EXPECT_TRUE(mentions(missing, "option kernel_cls1 is " + folder() + "/none.onnx, which does not exist"))
       << missing;
-  EXPECT_TRUE(mentions(fault([&] { goturn_tracker({folder(), some}); }), "is a folder"));
-  EXPECT_TRUE(mentions(fault([&] { goturn_tracker({some, empty}); }), "option weights is " + empty));
+  EXPECT_TRUE(mentions(fault_of([&] { goturn_tracker({folder(), some}); }), "is a folder"));
+  EXPECT_TRUE(mentions(fault_of([&] { goturn_tracker({some, empty}); }), "option weights is " + empty));
 }
 
 TEST_F(NetworkTracker, SaysInOneSentenceThatAFileIsNoNetwork) {
   const std::string junk = file("junk.onnx", "this is\nno network\n");
-  const std::string said = fault([&] { dasiamrpn_tracker({junk, junk, junk}); });
+  const std::string said = fault_of([&] { dasiamrpn_tracker({junk, junk, junk}); });
   EXPECT_TRUE(mentions(said, junk + " is no network that OpenCV")) << said;
   EXPECT_FALSE(mentions(said, "\n")) << said;
 }
 
 TEST_F(NetworkTracker, SaysWhichOpenCvItNeedsWhenThisOneIsTooOld) {
   if (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR < 7) {
-    EXPECT_TRUE(mentions(fault([] { nano_tracker({}); }),
+    EXPECT_TRUE(mentions(fault_of([] { nano_tracker({}); }),
                          "nano needs OpenCV 4.7 or newer; this relock was built with 4."));
     EXPECT_TRUE(mentions(nano_needs(), "OpenCV 4.7"));
   } else {
-    EXPECT_TRUE(mentions(fault([] { nano_tracker({}); }), "nano: option backbone is not given"));
+    EXPECT_TRUE(mentions(fault_of([] { nano_tracker({}); }), "nano: option backbone is not given"));
   }
   if (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR < 9) {
-    EXPECT_TRUE(mentions(fault([] { vit_tracker({}); }),
+    EXPECT_TRUE(mentions(fault_of([] { vit_tracker({}); }),
                          "vit needs OpenCV 4.9 or newer; this relock was built with 4."));
   } else {
-    EXPECT_TRUE(mentions(fault([] { vit_tracker({}); }), "vit: option model is not given"));
+    EXPECT_TRUE(mentions(fault_of([] { vit_tracker({}); }), "vit: option model is not given"));
   }
 }
 
