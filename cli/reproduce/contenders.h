@@ -20,8 +20,10 @@ struct RingMethod {
   std::string note;    ///< what is special about it, for tables; empty: as it comes
   std::string reason;  ///< a sentence: why it is looked at beside the first one
 };
-/// The detector of the paper as it comes, and then the ways to read what the paper leaves open under which it behaves
-/// as the paper says. All of them take part in figure 11 and table 1.
+/// relock's own detector of the same rings.
+const RingMethod& own_ring_method();
+/// The detector of the paper as it comes, then the ways to read what the paper leaves open under which it behaves as
+/// the paper says, then relock's own. All of them take part in figure 11 and table 1.
 const std::vector<RingMethod>& ring_methods();
 /// The four codes of two bits, as the paper orders them.
 const std::vector<std::string>& ring_codes();
