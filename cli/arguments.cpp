@@ -192,6 +192,23 @@ void add_map(CLI::App& app, MapArguments& a) {
   verb.add_flag("--dry-run", a.dry_run, "say what would be made, and about how long it takes");
 }
 
+void add_jump(CLI::App& app, JumpArguments& a) {
+  CLI::App& verb = *app.add_subcommand("jump", "How far a target may jump over a gap before methods lose it");
+  verb.add_option("methods", a.methods, "names, separated by commas")->required();
+  verb.add_option("--sequence", a.sequence, "a recording; else flights are simulated");
+  verb.add_option("--labels", a.labels, "its labels; else labels.csv in the recording's folder");
+  verb.add_option("--flight", a.flight, "a flight plan (TOML) in place of the verb's own");
+  verb.add_option("--target", a.target, "its target, as `relock marker` takes it; else apriltag36h11:0");
+  verb.add_option("--exposure", a.exposure_ms, "exposure time of the flights in ms, which makes the blur");
+  verb.add_option("--seeds", a.seeds, "how many flights")->check(CLI::Range(1, 1000))->capture_default_str();
+  verb.add_flag("--no-time-gap", a.no_time_gap, "the same jumps, but the clock as if no frame were missing");
+  verb.add_option("--out", a.out, "folder of the flights; what is there already is not flown again")
+      ->capture_default_str();
+  verb.add_option("--plot", a.plot, "draw the curve into this file: .svg, .pdf or .png");
+  add_jobs(verb, a.jobs, "flights and methods at a time; the curve is the same for any number");
+  verb.add_flag("--json", a.json, "print the curve as JSON");
+}
+
 void add_reproduce(CLI::App& app, ReproduceArguments& a) {
   CLI::App& verb = *app.add_subcommand(
       "reproduce", "Run the experiments of the paper that the rings come from, its figures beside ours");
@@ -291,6 +308,7 @@ void add_verbs(CLI::App& app, Arguments& arguments) {
   add_new(app, arguments.start_new);
   add_simulate(app, arguments.simulate);
   add_map(app, arguments.map);
+  add_jump(app, arguments.jump);
   add_reproduce(app, arguments.reproduce);
   add_realism(app, arguments.realism);
   add_marker(app, arguments.marker);

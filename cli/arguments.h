@@ -25,6 +25,7 @@ struct Arguments {
   NewArguments start_new;
   SimulateArguments simulate;
   MapArguments map;
+  JumpArguments jump;
   ReproduceArguments reproduce;
   RealismArguments realism;
   MarkerArguments marker;

@@ -146,6 +146,23 @@ struct MapArguments {
 };
 int map(const MapArguments& arguments, const Methods& methods);
 
+/// What is not given has the defaults of cli/jump/jumps.h; flights are those of cli/map/sweep.h.
+struct JumpArguments {
+  std::string methods;                            ///< separated by commas
+  std::optional<std::filesystem::path> sequence;  ///< else simulated flights
+  std::optional<std::filesystem::path> labels;
+  std::optional<std::filesystem::path> flight;  ///< a plan of the flights
+  std::optional<std::string> target;
+  std::optional<double> exposure_ms;
+  int seeds = 8;
+  bool no_time_gap = false;
+  std::filesystem::path out = "jump";
+  std::optional<std::filesystem::path> plot;
+  int jobs = 1;
+  bool json = false;
+};
+int jump(const JumpArguments& arguments, const Methods& methods);
+
 struct ReproduceArguments {
   bool quick = false;
   std::optional<std::filesystem::path> out;  ///< else reproduction, or reproduction-quick
