@@ -209,6 +209,21 @@ void add_jump(CLI::App& app, JumpArguments& a) {
   verb.add_flag("--json", a.json, "print the curve as JSON");
 }
 
+void add_bench(CLI::App& app, BenchArguments& a) {
+  CLI::App& verb =
+      *app.add_subcommand("bench", "Measure relock's own detector against what it is meant to reach");
+  verb.add_option("what", a.what, "what is measured: ring")->required()->check(CLI::IsMember({"ring"}));
+  verb.add_option("--method", a.method, "another detector of rings, or with other options")
+      ->capture_default_str();
+  verb.add_option("--only", a.only, "rows, separated by commas: clutter,tilt; else all")->delimiter(',');
+  verb.add_option("--pictures", a.pictures, "so many of every kind, in place of --full's or a sample's")
+      ->check(CLI::Range(1, 1000000));
+  verb.add_flag("--full", a.full, "as many pictures as it takes to tell: half an hour of one core");
+  verb.add_flag("--even-seeds", a.even_seeds, "pictures to tune on: they tell nothing of how good it is");
+  add_jobs(verb, a.jobs, "pictures at a time; all but times is the same for any number");
+  verb.add_flag("--json", a.json, "print the lines as JSON");
+}
+
 void add_reproduce(CLI::App& app, ReproduceArguments& a) {
   CLI::App& verb = *app.add_subcommand(
       "reproduce", "Run the experiments of the paper that the rings come from, its figures beside ours");
@@ -309,6 +324,7 @@ void add_verbs(CLI::App& app, Arguments& arguments) {
   add_simulate(app, arguments.simulate);
   add_map(app, arguments.map);
   add_jump(app, arguments.jump);
+  add_bench(app, arguments.bench);
   add_reproduce(app, arguments.reproduce);
   add_realism(app, arguments.realism);
   add_marker(app, arguments.marker);

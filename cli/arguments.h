@@ -26,6 +26,7 @@ struct Arguments {
   SimulateArguments simulate;
   MapArguments map;
   JumpArguments jump;
+  BenchArguments bench;
   ReproduceArguments reproduce;
   RealismArguments realism;
   MarkerArguments marker;

@@ -32,7 +32,7 @@ void check_verb(int argc, char** argv, const CLI::App& app) {
 
 /// Gives --plugin to every verb that names methods.
 void add_plugin_option(CLI::App& app, std::vector<std::filesystem::path>& plugins) {
-  const std::vector<std::string> naming{"run", "detect", "list", "check", "map", "jump"};
+  const std::vector<std::string> naming{"run", "detect", "list", "check", "map", "jump", "bench"};
   for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
     if (std::find(naming.begin(), naming.end(), verb->get_name()) == naming.end()) continue;
     verb->add_option("--plugin", plugins,
@@ -66,6 +66,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& met
   if (app.got_subcommand("simulate")) return simulate(arguments.simulate);
   if (app.got_subcommand("map")) return map(arguments.map, methods);
   if (app.got_subcommand("jump")) return jump(arguments.jump, methods);
+  if (app.got_subcommand("bench")) return bench_detector(arguments.bench, methods);
   if (app.got_subcommand("reproduce")) return reproduce(arguments.reproduce, methods);
   if (app.got_subcommand("realism")) return realism(arguments.realism);
   if (app.got_subcommand("new")) return start_new(arguments.start_new, methods);

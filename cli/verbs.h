@@ -163,6 +163,18 @@ struct JumpArguments {
 };
 int jump(const JumpArguments& arguments, const Methods& methods);
 
+struct BenchArguments {
+  std::string what;  ///< ring
+  std::string method = "ring";
+  std::vector<std::string> only;  ///< rows; empty: all
+  std::optional<std::size_t> pictures;
+  bool even_seeds = false;
+  bool full = false;
+  int jobs = 1;
+  bool json = false;
+};
+int bench_detector(const BenchArguments& arguments, const Methods& methods);
+
 struct ReproduceArguments {
   bool quick = false;
   std::optional<std::filesystem::path> out;  ///< else reproduction, or reproduction-quick

@@ -8,8 +8,9 @@
 #include <mutex>
 
 #include "cli/files.h"
+#include "cli/in_parallel.h"
+#include "cli/judged_picture.h"
 #include "cli/print/targets.h"
-#include "cli/reproduce/in_parallel.h"
 #include "cli/terminal.h"
 #include "cli/version.h"
 #include "core/opencv.h"
@@ -42,17 +43,6 @@ fs::path file_of(const CanvasExperiment& experiment, const Contender& contender,
   return settings.out / experiment.name / slug(contender.method) / (slug(contender.target) + ".csv");
 }
 
-/// A recording of one frame.
-Recording recording_of(const PrintedTarget& target, const simulator::CanvasPicture& picture) {
-  Recording recording;
-  recording.picture = {picture.pixels.cols, picture.pixels.rows};
-  recording.period = period_of(30);
-  recording.captured = {Time{}};
-  recording.targets = {{target.name, target.code, target.size_m}};
-  recording.truth = {picture.truth};
-  return recording;
-}
-
 std::vector<PictureAnswer> answers_of(const CanvasExperiment& experiment, const Contender& contender,
                                       const ChosenDetector& chosen, int jobs,
                                       const std::function<void()>& picture_done) {
@@ -75,19 +65,10 @@ std::vector<PictureAnswer> answers_of(const CanvasExperiment& experiment, const 
 
 PrintedTarget target_on_canvas(const std::string& name) { return print_target(name, 0.15); }
 
-FrameJudgement judged_alone(const Recording& one_frame, const Sightings& sightings) {
-  Trajectory trajectory;
-  trajectory.reads_codes = std::all_of(one_frame.targets.begin(), one_frame.targets.end(),
-                                       [](const Target& target) { return target.code.has_value(); });
-  trajectory.frames = {{.sightings = sightings}};
-  trajectory.judged_from.assign(one_frame.targets.size(), 0);
-  trajectory.failed_from.assign(one_frame.targets.size(), std::nullopt);
-  return judge_frame(one_frame, 0, trajectory.frames.front(), trajectory, Gate{});
-}
-
 PictureAnswer judged(const PrintedTarget& target, const simulator::CanvasPicture& picture,
                      const Sightings& sightings) {
-  const FrameJudgement frame = judged_alone(recording_of(target, picture), sightings);
+  const FrameJudgement frame = judged_alone(
+      one_frame(picture.pixels, {{target.name, target.code, target.size_m}}, {picture.truth}), sightings);
   const Judgement& judgement = frame.targets.front();
 
   PictureAnswer answer;

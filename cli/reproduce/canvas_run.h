@@ -32,9 +32,7 @@ std::vector<CanvasResult> run_canvas(const CanvasExperiment& experiment,
                                      const std::vector<Contender>& contenders, const Settings& settings,
                                      const Methods& methods);
 
-/// The evaluator's verdicts on what was seen in a recording of one frame.
-FrameJudgement judged_alone(const Recording& one_frame, const Sightings& sightings);
-/// Likewise in one picture of a canvas.
+/// The evaluator's verdict on what was seen in one picture of a canvas.
 PictureAnswer judged(const PrintedTarget& target, const simulator::CanvasPicture& picture,
                      const Sightings& sightings);
 

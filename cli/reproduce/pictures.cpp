@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "cli/files.h"
+#include "cli/judged_picture.h"
 #include "cli/print/targets.h"
 #include "cli/reproduce/canvas_run.h"
 #include "cli/reproduce/contenders.h"

@@ -10,7 +10,7 @@
 #include "cli/print/targets.h"
 #include "cli/reproduce/canvas_run.h"
 #include "cli/reproduce/folder.h"
-#include "cli/reproduce/in_parallel.h"
+#include "cli/in_parallel.h"
 #include "cli/reproduce/localization.h"
 #include "cli/reproduce/paper.h"
 #include "cli/reproduce/rates.h"

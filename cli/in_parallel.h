@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace relock::reproduction {
+namespace relock {
 
 /// Does something about one of the things that there are.
 using Work = std::function<void(std::size_t index)>;
@@ -13,4 +13,4 @@ using Work = std::function<void(std::size_t index)>;
 /// thrown on.
 void in_parallel(std::size_t count, int jobs, const std::function<Work()>& make_worker);
 
-}  // namespace relock::reproduction
+}  // namespace relock

@@ -1,4 +1,4 @@
-#include "cli/reproduce/in_parallel.h"
+#include "cli/in_parallel.h"
 
 #include <atomic>
 #include <exception>
@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace relock::reproduction {
+namespace relock {
 
 void in_parallel(std::size_t count, int jobs, const std::function<Work()>& make_worker) {
   std::atomic<std::size_t> next{0};
@@ -28,4 +28,4 @@ void in_parallel(std::size_t count, int jobs, const std::function<Work()>& make_
   if (fault) std::rethrow_exception(fault);
 }
 
-}  // namespace relock::reproduction
+}  // namespace relock
