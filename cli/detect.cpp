@@ -37,14 +37,21 @@ Json to_json(const Outline& outline) {
             {"angle_rad", e.angle_rad}}}};
 }
 
+Json to_json(const std::optional<Covariance>& c) {
+  return c ? Json{{"xx", c->xx}, {"xy", c->xy}, {"yy", c->yy}} : Json();
+}
+
 Json to_json(const Sighting& s) {
-  return {{"code", s.code ? Json(to_string(*s.code)) : Json()},
-          {"centre", to_json(s.centre)},
-          {"centre_kind", to_string(s.centre_kind)},
-          {"outline", to_json(s.outline)},
-          {"confidence", s.confidence},
-          {"blur", s.blur ? Json{{"direction_rad", s.blur->direction_rad}, {"length_px", s.blur->length_px}}
-                          : Json()}};
+  Json json{{"code", s.code ? Json(to_string(*s.code)) : Json()},
+            {"centre", to_json(s.centre)},
+            {"centre_kind", to_string(s.centre_kind)},
+            {"outline", to_json(s.outline)},
+            {"confidence", s.confidence},
+            {"blur", s.blur ? Json{{"direction_rad", s.blur->direction_rad}, {"length_px", s.blur->length_px}}
+                            : Json()}};
+  if (s.centre_covariance) json["centre_covariance_px2"] = to_json(s.centre_covariance);
+  if (s.blur_covariance) json["blur_covariance_px2"] = to_json(s.blur_covariance);
+  return json;
 }
 
 struct WrittenStage {

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/opencv.h"
 #include "detectors/part.h"
+#include "detectors/ring/refine.h"
 
 namespace relock::ring {
 namespace {
@@ -67,6 +68,7 @@ const Look& RingDetector::look(const Image& image) {
   look_.candidates = &finder_.find(pyramid_);  // 1, 2
   look_at_best();                              // 3, 4, 5
   if (look_.markers.empty()) look_at_other_radii();
+  if (options_.refine == RingRefinement::ceres) refine_markers();
   sort_best_first(look_.markers);
   return look_;
 }
@@ -104,6 +106,20 @@ Closely RingDetector::look_closely(const Candidate& candidate) {
   return close;
 }
 
+// Their covariances say how well their centres and blurs are known.
+void RingDetector::refine_markers() {
+  const auto part = [](const auto& covariance, int x, int y) {
+    return Covariance{covariance(x, x), covariance(x, y), covariance(y, y)};
+  };
+  for (Reading& marker : look_.markers) {
+    const auto refined = refine(look_.gray, model_, marker.code, marker.fit, marker.psf_px);
+    if (!refined) continue;
+    marker.fit = refined->fit;
+    marker.centre_covariance = part(refined->covariance, kCentreX, kCentreY);
+    marker.blur_covariance = part(refined->covariance, kBlurX, kBlurY);
+  }
+}
+
 Sightings RingDetector::detect(const Image& image, const std::optional<Box>& where) {
   const auto offset = look_at_part(image, where);
   return offset ? sightings(*offset) : Sightings{};
@@ -135,7 +151,9 @@ Sightings RingDetector::sightings(Vec2 offset) const {
                    .outline = outline,
                    .code = Code{ring_family(options_.bits), codes_[marker.code]},
                    .confidence = std::clamp(1 - marker.fit.misfit, 0.0, 1.0),
-                   .blur = blur_of(view)});
+                   .blur = blur_of(view),
+                   .centre_covariance = marker.centre_covariance,
+                   .blur_covariance = marker.blur_covariance});
   }
   return all;
 }

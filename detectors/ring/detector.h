@@ -47,6 +47,7 @@ class RingDetector final : public ExplainingDetector {
   void look_at_best();
   void look_at_other_radii();
   Closely look_closely(const Candidate& candidate);
+  void refine_markers();
   Sightings sightings(Vec2 offset) const;
 
   Stage chords_stage() const;

@@ -11,26 +11,10 @@ namespace {
 /// Samples lie within this radius: the outermost edge and some black beyond it.
 constexpr double kReach = 1.12;
 constexpr std::size_t kFewest = 40;
-/// Grey levels by which the picture may be off in the black and the white, and beyond the sheet, where the model
-/// knows one level only.
-constexpr float kOwnError = 4, kLeakError = 30;
 /// How strongly a priori a marker is seen without perspective: 1 / (grey level / (v R))^2.
 constexpr double kPerspectivePrior = 1000;
 /// Likewise no leak, 1 / (grey level / grey level)^2.
 constexpr double kLeakPrior = 1;
-
-float weight_of(float leaked) {
-  return kOwnError * kOwnError / (kOwnError * kOwnError + kLeakError * kLeakError * leaked * leaked);
-}
-
-/// Calls `use` with every kBlock samples, or what is left of them.
-template <class Use>
-void in_blocks(const Samples& samples, Use use) {
-  const int all = static_cast<int>(samples.size());
-  for (int from = 0; from < all; from += kBlock)
-    use(&samples.x[static_cast<std::size_t>(from)], &samples.y[static_cast<std::size_t>(from)],
-        &samples.grey[static_cast<std::size_t>(from)], std::min(kBlock, all - from));
-}
 
 /// Whether the window of the exposure of what is at q stays on the sheet, or nearly so where the movement is long.
 double farthest_allowed(const RingModel& model, double movement) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <vector>
@@ -35,6 +36,22 @@ struct Samples {
   std::size_t size() const { return x.size(); }
   void clear() { x.clear(), y.clear(), grey.clear(); }
 };
+
+/// Calls `use` with every kBlock samples, or what is left of them: x, y, grey values and how many.
+template <class Use>
+void in_blocks(const Samples& samples, Use use) {
+  const int all = static_cast<int>(samples.size());
+  for (int from = 0; from < all; from += kBlock)
+    use(&samples.x[static_cast<std::size_t>(from)], &samples.y[static_cast<std::size_t>(from)],
+        &samples.grey[static_cast<std::size_t>(from)], std::min(kBlock, all - from));
+}
+
+/// How much a pixel counts that sees beyond the sheet for this part of its exposure: the picture may be off by some grey
+/// levels in the black and the white, and by many beyond the sheet, where the model knows one level only.
+inline float weight_of(float leaked) {
+  constexpr float kOwnError = 4, kLeakError = 30;
+  return kOwnError * kOwnError / (kOwnError * kOwnError + kLeakError * kLeakError * leaked * leaked);
+}
 
 /// Some `count` pixels, evenly spread over the marker's disc and the beginning of its quiet zone, as far as they
 /// see next to nothing but the sheet during the whole exposure. `samples` is reused.

@@ -14,6 +14,8 @@ std::vector<OptionInfo> ring_option_list() {
        "smallest marker looked for, along the line on which it is shortest"},
       {"max_candidates", fmt::format("{}", d.max_candidates), "",
        "places that are looked at closely; more is slower and finds more in clutter"},
+      {"refine", "none", "",
+       "ceres: what was read is fitted once more, to every pixel; more exact, and it says how exact"},
   };
 }
 
@@ -24,6 +26,8 @@ RingOptions ring_options(const Options& given) {
   o.inverted = given.flag("inverted");
   o.min_diameter_px = given.number("min_diameter_px", 15, 10000);
   o.max_candidates = given.whole("max_candidates", 1, 1000);
+  o.refine =
+      given.word("refine", {"none", "ceres"}) == "ceres" ? RingRefinement::ceres : RingRefinement::none;
   ring_geometry(o.geometry, o.bits);  // throws if it is none
   return o;
 }

@@ -25,6 +25,7 @@ struct Reading {
   /// each other, bits from black or white.
   double doubt = 1;
   std::vector<Fitter::AnnulusLight> lights;  ///< of each ring, as Fitter::RingLights has them
+  std::optional<Covariance> centre_covariance = {}, blur_covariance = {};  ///< px^2, of a refined fit
 };
 
 /// Reads the bits of a marker about whose view `coarse` is right: each ring's own light says whether it is there. Then
