@@ -111,6 +111,11 @@ void add_detect(CLI::App& app, DetectArguments& a) {
   CLI::Option* explain =
       verb.add_flag("--explain", a.explain, "show the stages of the detector's work: pictures and charts");
   verb.add_option("--out", a.out, "folder for the stages")->capture_default_str()->needs(explain);
+  CLI::Option* pose = verb.add_flag("--pose", a.pose, "tell where markers are and how they are tilted, too");
+  verb.add_option("--camera", a.camera, "calibration: YAML of OpenCV's or ROS's camera_info")->needs(pose);
+  verb.add_option("--size", a.size_m, "of every marker, metres: a ring's diameter, a square's side")
+      ->needs(pose);
+  verb.add_option("--layout", a.layout, "markers that hang on one plate (TOML)")->needs(pose);
 }
 
 void add_list(CLI::App& app, ListArguments& a) {

@@ -46,9 +46,9 @@ std::vector<bench::Row> chosen_rows(const std::vector<std::string>& only) {
 }
 
 std::string value_text(const Measured& m) {
-  const int decimals = m.unit == "px" && m.row == "centre"                          ? 3
-                       : m.row == "blur" || m.row == "time" || m.unit == "per 1000" ? 2
-                                                                                    : 1;
+  const int decimals = m.unit == "px" && m.row == "centre"                                             ? 3
+                       : m.row == "blur" || m.row == "pose" || m.row == "time" || m.unit == "per 1000" ? 2
+                                                                                                       : 1;
   std::string text = cell(m.value, decimals) + " " + m.unit;
   if (m.interval)
     text += fmt::format(" [{:.{}f}, {:.{}f}]", m.interval->low, decimals, m.interval->high, decimals);

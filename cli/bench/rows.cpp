@@ -182,6 +182,25 @@ std::vector<Measured> measure_tilt(Bench& bench) {
           line("clutter", simulator::Backdrop::clutter, at_least(55, 70))};
 }
 
+std::vector<Measured> measure_pose(Bench& bench) {
+  std::vector<Measured> all;
+  for (const double blur : {0, 15, 30}) {
+    const PictureKind kind =
+        stills(fmt::format("clutter, D 60 to 150 px, tilt to 45 degrees, blur {:g} px", blur),
+               clutter_plan({60, 150}, {0, 45}, blur), bench.targets(), bench.settings().seeds);
+    std::vector<double> depths, normals;
+    for (const Look& look : bench.looks(kind, bench.count(kSample, kFull))) {
+      if (look.depth_percent) depths.push_back(*look.depth_percent);
+      if (look.normal_deg) normals.push_back(*look.normal_deg);
+    }
+    all.push_back(median("pose", fmt::format("pose's depth, D 60 to 150 px, blur {:g} px", blur), "%", depths,
+                         at_most(1, .3)));
+    all.push_back(median("pose", fmt::format("pose's normal, D 60 to 150 px, blur {:g} px", blur), "degrees",
+                         normals, at_most(2, .5)));
+  }
+  return all;
+}
+
 std::vector<Measured> measure_false_positives(Bench& bench) {
   std::size_t pictures = 0;
   double found = 0;
@@ -228,6 +247,7 @@ const std::vector<Row>& rows() {
       {"sizes", "in clutter, smaller ones too", measure_sizes},
       {"centre", "how exact the centre is", measure_centre},
       {"blur", "how exact the blur is", measure_blur},
+      {"pose", "how exact the pose of one marker is, its size and the camera known", measure_pose},
       {"smallest", "how small a sharp marker may be", measure_smallest},
       {"tilt", "how far a sharp marker may be tilted", measure_tilt},
       {"false-positives", "sightings where there is nothing", measure_false_positives},
