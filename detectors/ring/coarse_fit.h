@@ -24,7 +24,7 @@ std::vector<ScoredView> scored_starts(const Candidate& candidate, const std::vec
                                       const Pyramid& pyramid, std::size_t level, RingModel& model);
 
 /// Standard deviation of lens and pixel that the coarse fit takes for granted, px of its level.
-constexpr double kCoarsePsf_px = 0.6;
+constexpr double kCoarsePsf_px = 0.45;
 
 /// The best fit from the likeliest starts that differ, px of the full picture. Nothing where no marker explains what is
 /// seen even roughly.
