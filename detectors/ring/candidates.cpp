@@ -20,6 +20,7 @@ constexpr double kBlurred = 0.3;         // radii: shorter blurs leave the best 
 constexpr double kAlmostAsLike = 0.03;
 constexpr double kRadiusOfManyChords_px = 40, kSmall_px = 17;
 constexpr double kSameRadius = 1.25;
+constexpr double kLongerIsBetter = 0.15;  // likeness per logarithm of the radius
 constexpr std::size_t kMostRadii = 3;
 
 /// Total order, so that the answer does not depend on the sorting.
@@ -67,6 +68,14 @@ const Chord& in_the_middle(const Chord& best, const std::vector<Chord>& chords) 
   return *middle;
 }
 
+/// Lines lie some px apart. Of a small marker one that misses the middle by as much can still look like one of another
+/// code, but a smaller one: the shorter chord must look clearly better.
+bool more_convincing(const Chord& a, const Chord& b) {
+  if (b.radius_px > kSmall_px) return false;
+  return a.likeness + kLongerIsBetter * std::log(a.radius_px) >
+         b.likeness + kLongerIsBetter * std::log(b.radius_px);
+}
+
 /// Chords of about one radius among those of a candidate.
 struct Radius {
   const Chord* best;
@@ -86,9 +95,10 @@ std::vector<Chord> of_convincing_radii(const std::vector<Chord>& chords) {
       return chord.radius_px < kSameRadius * radius.best->radius_px &&
              radius.best->radius_px < kSameRadius * chord.radius_px;
     });
-    if (same != radii.begin() + count)
+    if (same != radii.begin() + count) {
       ++same->chords;
-    else if (count < radii.size())
+      if (more_convincing(chord, *same->best)) same->best = &chord;
+    } else if (count < radii.size())
       radii[count++] = {&chord, 1};
   }
   std::stable_sort(radii.begin(), radii.begin() + count,
