@@ -27,6 +27,18 @@ bool alike(const View& a, const View& b) {
          (a.vanishing - b.vanishing).norm() * r < 0.03 && blur_apart < 0.2 * r;
 }
 
+/// px of the level. Without those that are no marker, or too small or large for the level.
+std::vector<ScoredView> scored(const std::vector<View>& starts, const Candidate& candidate,
+                               const Pyramid& pyramid, std::size_t level, RingModel& model) {
+  std::vector<ScoredView> all;
+  for (const View& start : starts) {
+    const View view = in_larger_pixels(start, 1 << level);
+    if (!view.possible() || view.radius() < kLeastRadius_px || view.radius() > kMostRadius_px) continue;
+    all.push_back({view, likeness(pyramid.level[level], model, candidate.best.code, view, kCoarsePsf_px)});
+  }
+  return all;
+}
+
 }  // namespace
 
 std::size_t first_level(const Candidate& candidate) {
@@ -39,21 +51,26 @@ std::size_t first_level(const Candidate& candidate) {
   return least > 44 ? 2 : least > 20 ? 1 : 0;
 }
 
+double glance(const Candidate& candidate, const std::vector<Chord>& chords, const Pyramid& pyramid,
+              RingModel& model) {
+  const std::size_t level = first_level(candidate);
+  double likest = -1;
+  for (const ScoredView& start : scored(plain_starts(candidate, chords), candidate, pyramid, level, model))
+    likest = std::max(likest, start.likeness);
+  return likest;
+}
+
 std::vector<ScoredView> scored_starts(const Candidate& candidate, const std::vector<Chord>& chords,
                                       const Pyramid& pyramid, std::size_t level, RingModel& model) {
   const int scale = 1 << level;
   const cv::Mat& gray = pyramid.level[level];
   const View here = in_larger_pixels(straight_on(candidate.best.middle, candidate.best.radius_px), scale);
   const LocalBlur blur = local_blur(gray, here.centre, 0.95 * here.radius());
-  std::vector<ScoredView> scored;
-  for (const View& start : starts(candidate, chords, blur, kFocalWidths * pyramid.full().cols)) {
-    const View view = in_larger_pixels(start, scale);
-    if (!view.possible() || view.radius() < kLeastRadius_px || view.radius() > kMostRadius_px) continue;
-    scored.push_back({view, likeness(gray, model, candidate.best.code, view, kCoarsePsf_px)});
-  }
-  std::stable_sort(scored.begin(), scored.end(),
+  auto all = scored(starts(candidate, chords, blur, kFocalWidths * pyramid.full().cols), candidate, pyramid,
+                    level, model);
+  std::stable_sort(all.begin(), all.end(),
                    [](const ScoredView& a, const ScoredView& b) { return a.likeness > b.likeness; });
-  return scored;
+  return all;
 }
 
 std::optional<Fit> fit_from_best(const std::vector<ScoredView>& starts, std::size_t code,

@@ -19,6 +19,10 @@ struct ScoredView {
 /// as nearly so as there is one. Of a tilted marker the shorter radius decides what can be told apart.
 std::size_t first_level(const Candidate& candidate);
 
+/// How like the picture the likeliest of a candidate's plain starts is, to 1: a first glance.
+double glance(const Candidate& candidate, const std::vector<Chord>& chords, const Pyramid& pyramid,
+              RingModel& model);
+
 /// The views from which a fit may start, the likeliest first. `chords`: all of the picture.
 std::vector<ScoredView> scored_starts(const Candidate& candidate, const std::vector<Chord>& chords,
                                       const Pyramid& pyramid, std::size_t level, RingModel& model);

@@ -23,6 +23,9 @@ bool promising(const Candidate& candidate) {
   return best.likeness >= 0.9 && (candidate.chords.size() >= 3 || small_and_clear);
 }
 
+/// So many candidates are glanced at for each that is looked at closely.
+constexpr std::size_t kGlancesPerLook = 3;
+
 bool within_one(const std::vector<Reading>& markers, const Candidate& candidate) {
   const Eigen::Vector2d middle(candidate.best.middle.x, candidate.best.middle.y);
   return std::any_of(markers.begin(), markers.end(),
@@ -72,12 +75,33 @@ const Look& RingDetector::look(const Image& image) {
 }
 
 void RingDetector::look_at_best() {
-  for (const Candidate& candidate : *look_.candidates) {
+  for (const Candidate* candidate : chosen_candidates()) {
     if (look_.closely.size() == static_cast<std::size_t>(options_.max_candidates)) break;
-    if (!promising(candidate) || within_one(look_.markers, candidate)) continue;
-    look_.closely.push_back(look_closely(candidate));
+    if (within_one(look_.markers, *candidate)) continue;
+    look_.closely.push_back(look_closely(*candidate));
     if (const auto& reading = look_.closely.back().read) keep(*reading, look_.markers);
   }
+}
+
+// In clutter many places look like a marker along some line. A glance at the whole of each is quick and tells more: the
+// best few are as their chords say, those behind them are put in order by it.
+std::vector<const Candidate*> RingDetector::chosen_candidates() {
+  struct Glanced {
+    const Candidate* candidate;
+    double likeness;
+  };
+  const auto most = static_cast<std::size_t>(options_.max_candidates);
+  std::vector<Glanced> chosen;
+  for (const Candidate& candidate : *look_.candidates)
+    if (promising(candidate) && chosen.size() < kGlancesPerLook * most) chosen.push_back({&candidate, 0});
+  const auto behind = chosen.begin() + static_cast<std::ptrdiff_t>(std::min(chosen.size(), (most + 1) / 2));
+  for (auto each = behind; each != chosen.end(); ++each)
+    each->likeness = glance(*each->candidate, finder_.chords(), pyramid_, model_);
+  std::stable_sort(behind, chosen.end(),
+                   [](const Glanced& a, const Glanced& b) { return a.likeness > b.likeness; });
+  std::vector<const Candidate*> candidates;
+  for (const Glanced& each : chosen) candidates.push_back(each.candidate);
+  return candidates;
 }
 
 // A candidate may be a marker of another radius than its best chord says: that may be an inner ring, or clutter around.

@@ -45,6 +45,7 @@ class RingDetector final : public ExplainingDetector {
   std::optional<Vec2> look_at_part(const Image& image, const std::optional<Box>& where);
   cv::Mat white_on_black(const Image& image);
   void look_at_best();
+  std::vector<const Candidate*> chosen_candidates();
   void look_at_other_radii();
   Closely look_closely(const Candidate& candidate);
   Sightings sightings(Vec2 offset) const;

@@ -214,8 +214,7 @@ LocalBlur local_blur(const cv::Mat& gray, const Vector2d& centre, double radius)
   return {across({std::cos(strongest), std::sin(strongest)}), std::hypot(xx - yy, 2 * xy) / (xx + yy + 1e-6)};
 }
 
-std::vector<View> starts(const Candidate& candidate, const std::vector<Chord>& all_chords,
-                         const LocalBlur& local_blur, double focal_px) {
+std::vector<View> plain_starts(const Candidate& candidate, const std::vector<Chord>& all_chords) {
   const Chord& best = candidate.best;
   const Vector2d along = vector_of(best.along), middle = vector_of(best.middle),
                  similar = middle_of_similar(best, all_chords);
@@ -243,11 +242,20 @@ std::vector<View> starts(const Candidate& candidate, const std::vector<Chord>& a
       if (best.misalignment_rad == 0) break;
     }
   }
+  return plain;
+}
+
+std::vector<View> starts(const Candidate& candidate, const std::vector<Chord>& all_chords,
+                         const LocalBlur& local_blur, double focal_px) {
+  const Chord& best = candidate.best;
+  const std::size_t directions = best_of_directions(candidate).size();
+  const std::vector<View> plain = plain_starts(candidate, all_chords);
   std::vector<View> all = plain;
   const auto add = [&](const std::vector<View>& more) { all.insert(all.end(), more.begin(), more.end()); };
-  if (best.blur < 0.5 && chords.size() >= 3) add(with_perspective(plain, focal_px));
-  if (best.blur < 0.3 && chords.size() < 5 && best.likeness > 0.93) add(tilted_about(best, focal_px));
+  if (best.blur < 0.5 && directions >= 3) add(with_perspective(plain, focal_px));
+  if (best.blur < 0.3 && directions < 5 && best.likeness > 0.93) add(tilted_about(best, focal_px));
   if (best.blur > 0.1 || local_blur.coherence > 0.2) {
+    const Vector2d middle = vector_of(best.middle), similar = middle_of_similar(best, all_chords);
     const Vector2d along_blur = 0.25 * std::max(best.blur, 0.3) * best.radius_px * local_blur.direction;
     add(blurred_along(best, local_blur.direction,
                       {middle, similar, similar - along_blur, similar + along_blur}));
