@@ -24,7 +24,9 @@ bool promising(const Candidate& candidate) {
 }
 
 /// So many candidates are glanced at for each that is looked at closely.
-constexpr std::size_t kGlancesPerLook = 3;
+constexpr std::size_t kGlancesPerLook = 4;
+/// How much a likeness at a glance counts against the candidate's score.
+constexpr double kGlanceCounts = 0.2;
 
 bool within_one(const std::vector<Reading>& markers, const Candidate& candidate) {
   const Eigen::Vector2d middle(candidate.best.middle.x, candidate.best.middle.y);
@@ -83,25 +85,25 @@ void RingDetector::look_at_best() {
   }
 }
 
-// In clutter many places look like a marker along some line. A glance at the whole of each is quick and tells more: the
-// best few are as their chords say, those behind them are put in order by it.
+// In clutter many places look like a marker along some line. A glance at the whole of each is quick and tells more.
 std::vector<const Candidate*> RingDetector::chosen_candidates() {
   struct Glanced {
     const Candidate* candidate;
-    double likeness;
+    double score;
   };
-  const auto most = static_cast<std::size_t>(options_.max_candidates);
-  std::vector<Glanced> chosen;
-  for (const Candidate& candidate : *look_.candidates)
-    if (promising(candidate) && chosen.size() < kGlancesPerLook * most) chosen.push_back({&candidate, 0});
-  const auto behind = chosen.begin() + static_cast<std::ptrdiff_t>(std::min(chosen.size(), (most + 1) / 2));
-  for (auto each = behind; each != chosen.end(); ++each)
-    each->likeness = glance(*each->candidate, finder_.chords(), pyramid_, model_);
-  std::stable_sort(behind, chosen.end(),
-                   [](const Glanced& a, const Glanced& b) { return a.likeness > b.likeness; });
-  std::vector<const Candidate*> candidates;
-  for (const Glanced& each : chosen) candidates.push_back(each.candidate);
-  return candidates;
+  const auto most = kGlancesPerLook * static_cast<std::size_t>(options_.max_candidates);
+  std::vector<Glanced> glanced;
+  for (const Candidate& candidate : *look_.candidates) {
+    if (glanced.size() == most) break;
+    if (!promising(candidate)) continue;
+    const double likeness = glance(candidate, finder_.chords(), pyramid_, model_);
+    glanced.push_back({&candidate, candidate.score + kGlanceCounts * likeness});
+  }
+  std::stable_sort(glanced.begin(), glanced.end(),
+                   [](const Glanced& a, const Glanced& b) { return a.score > b.score; });
+  std::vector<const Candidate*> chosen;
+  for (const Glanced& each : glanced) chosen.push_back(each.candidate);
+  return chosen;
 }
 
 // A candidate may be a marker of another radius than its best chord says: that may be an inner ring, or clutter around.
