@@ -46,7 +46,6 @@ class RingDetector final : public ExplainingDetector {
   cv::Mat white_on_black(const Image& image);
   void look_at_best();
   std::vector<const Candidate*> chosen_candidates();
-  void look_at_other_radii();
   Closely look_closely(const Candidate& candidate);
   Sightings sightings(Vec2 offset) const;
 
@@ -61,7 +60,7 @@ class RingDetector final : public ExplainingDetector {
   Pyramid pyramid_;
   cv::Mat gray_, negative_;
   Look look_;
-  std::deque<Candidate> other_radii_;  // of look_.closely; a deque, because it is pointed to
+  std::deque<Candidate> other_radii_;  // of look_.candidates; a deque, because it is pointed to
 };
 
 }  // namespace relock::ring
