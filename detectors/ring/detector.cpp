@@ -17,18 +17,10 @@ RingGeometry geometry_of(const RingOptions& options) {
 }
 
 /// Small markers are crossed by few lines, but clear ones.
-bool promising(const Candidate& candidate, const Chord& best) {
+bool promising(const Candidate& candidate) {
+  const Chord& best = candidate.best;
   const bool small_and_clear = best.radius_px < 20 && best.likeness > 0.94;
   return best.likeness >= 0.9 && (candidate.chords.size() >= 3 || small_and_clear);
-}
-bool promising(const Candidate& candidate) { return promising(candidate, candidate.best); }
-
-/// The candidate that has another of its chords as its best.
-Candidate of_radius(const Candidate& candidate, const Chord& chord) {
-  Candidate other = candidate;
-  other.score += chord.likeness - candidate.best.likeness;
-  other.best = chord;
-  return other;
 }
 
 /// So many candidates are glanced at for each that is looked at closely.
@@ -93,7 +85,6 @@ void RingDetector::look_at_best() {
 }
 
 // In clutter many places look like a marker along some line. A glance at the whole of each is quick and tells more.
-// A candidate may be a marker of another radius than its best chord says: that may be an inner ring, or clutter around.
 std::vector<const Candidate*> RingDetector::chosen_candidates() {
   struct Glanced {
     const Candidate* candidate;
@@ -101,19 +92,11 @@ std::vector<const Candidate*> RingDetector::chosen_candidates() {
   };
   const auto most = kGlancesPerLook * static_cast<std::size_t>(options_.max_candidates);
   std::vector<Glanced> glanced;
-  const auto glance_at = [&](const Candidate& candidate) {
+  for (const Candidate& candidate : *look_.candidates) {
+    if (glanced.size() == most) break;
+    if (!promising(candidate)) continue;
     const double likeness = glance(candidate, finder_.chords(), pyramid_, model_);
     glanced.push_back({&candidate, candidate.score + kGlanceCounts * likeness});
-  };
-  other_radii_.clear();
-  for (const Candidate& candidate : *look_.candidates) {
-    if (glanced.size() >= most) break;
-    if (promising(candidate)) glance_at(candidate);
-    for (const Chord& chord : candidate.others) {
-      if (!promising(candidate, chord)) continue;
-      other_radii_.push_back(of_radius(candidate, chord));
-      glance_at(other_radii_.back());
-    }
   }
   std::stable_sort(glanced.begin(), glanced.end(),
                    [](const Glanced& a, const Glanced& b) { return a.score > b.score; });

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -60,7 +59,6 @@ class RingDetector final : public ExplainingDetector {
   Pyramid pyramid_;
   cv::Mat gray_, negative_;
   Look look_;
-  std::deque<Candidate> other_radii_;  // of look_.candidates; a deque, because it is pointed to
 };
 
 }  // namespace relock::ring
