@@ -23,8 +23,10 @@ bool promising(const Candidate& candidate) {
   return best.likeness >= 0.9 && (candidate.chords.size() >= 3 || small_and_clear);
 }
 
-/// So many candidates are glanced at for each that is looked at closely.
-constexpr std::size_t kGlancesPerLook = 4;
+/// So many candidates are glanced at for each that is looked at closely, of small ones and of others: large clutter has
+/// more lines that agree.
+constexpr std::size_t kGlancesPerLook = 3;
+constexpr double kSmall_px = 17;
 /// How much a likeness at a glance counts against the candidate's score.
 constexpr double kGlanceCounts = 0.2;
 
@@ -90,11 +92,13 @@ std::vector<const Candidate*> RingDetector::chosen_candidates() {
     const Candidate* candidate;
     double score;
   };
+  std::size_t small = 0, large = 0;
   const auto most = kGlancesPerLook * static_cast<std::size_t>(options_.max_candidates);
   std::vector<Glanced> glanced;
   for (const Candidate& candidate : *look_.candidates) {
-    if (glanced.size() == most) break;
-    if (!promising(candidate)) continue;
+    std::size_t& seen = candidate.best.radius_px < kSmall_px ? small : large;
+    if (!promising(candidate) || seen == most) continue;
+    ++seen;
     const double likeness = glance(candidate, finder_.chords(), pyramid_, model_);
     glanced.push_back({&candidate, candidate.score + kGlanceCounts * likeness});
   }
