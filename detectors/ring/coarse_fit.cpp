@@ -10,11 +10,15 @@ namespace {
 
 // A start that is less like the picture is not worth a fit; nor is one that is so much less so than the best.
 constexpr double kLeastLikeness = 0.4, kWorse = 0.15;
-constexpr std::size_t kMostStarts = 4;
+constexpr std::size_t kMostStarts = 6;
 /// A coarse fit that is good enough to try no other start, and one that is none.
 constexpr double kGoodMisfit = 0.25, kMostMisfit = 0.55;
 // px of the level: a smaller marker shows no rings, and a larger one would have been found on a coarser level.
 constexpr double kLeastRadius_px = 2, kMostRadius_px = 400;
+constexpr double kSmall_px = 13;
+/// Radii between the middles of chords of one marker; others may be of something else.
+constexpr double kOneMiddle = 0.12;
+constexpr double kSoft_px = 0.6;
 /// What most cameras have, in widths of the picture; only how strong a perspective is tried depends on it.
 constexpr double kFocalWidths = 0.9;
 
@@ -34,19 +38,23 @@ std::vector<ScoredView> scored(const std::vector<View>& starts, const Candidate&
   for (const View& start : starts) {
     const View view = in_larger_pixels(start, 1 << level);
     if (!view.possible() || view.radius() < kLeastRadius_px || view.radius() > kMostRadius_px) continue;
-    all.push_back({view, likeness(pyramid.level[level], model, candidate.best.code, view, kCoarsePsf_px)});
+    all.push_back(
+        {view, likeness(pyramid.level[level], model, candidate.best.code, view, coarse_psf_px(view))});
   }
   return all;
 }
 
 }  // namespace
 
+double coarse_psf_px(const View& view) { return view.radius() < kSmall_px ? 0.45 : kSoft_px; }
+
 std::size_t first_level(const Candidate& candidate) {
   const Chord& best = candidate.best;
   double least = best.radius_px;
   for (const Chord& chord : candidate.chords)
     if (chord.code == best.code && chord.likeness > best.likeness - 0.06 &&
-        chord.radius_px > 0.2 * best.radius_px)
+        chord.radius_px > 0.2 * best.radius_px &&
+        norm(chord.middle - best.middle) < kOneMiddle * best.radius_px + 2)
       least = std::min(least, chord.radius_px);
   return least > 44 ? 2 : least > 20 ? 1 : 0;
 }
@@ -75,8 +83,6 @@ std::vector<ScoredView> scored_starts(const Candidate& candidate, const std::vec
 
 std::optional<Fit> fit_from_best(const std::vector<ScoredView>& starts, std::size_t code,
                                  const Pyramid& pyramid, std::size_t level, Fitter& fitter) {
-  const FitOptions coarse{
-      .pixels = 130, .steps = 6, .psf_px = kCoarsePsf_px, .settled = 0.1, .hopeless = 0.82};
   std::vector<const View*> tried;
   std::optional<Fit> best;
   for (const auto& [view, likeness] : starts) {
@@ -87,6 +93,8 @@ std::optional<Fit> fit_from_best(const std::vector<ScoredView>& starts, std::siz
                     [&, &v = view](const View* other) { return alike(*other, v); }))
       continue;
     tried.push_back(&view);
+    const FitOptions coarse{
+        .pixels = 130, .steps = 6, .psf_px = coarse_psf_px(view), .settled = 0.1, .hopeless = 0.82};
     const auto fit = fitter.fit(pyramid.level[level], code, view, coarse);
     if (fit && (!best || fit->misfit < best->misfit)) best = fit;
     if (best && best->misfit < kGoodMisfit) break;

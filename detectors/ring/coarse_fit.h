@@ -27,8 +27,9 @@ double glance(const Candidate& candidate, const std::vector<Chord>& chords, cons
 std::vector<ScoredView> scored_starts(const Candidate& candidate, const std::vector<Chord>& chords,
                                       const Pyramid& pyramid, std::size_t level, RingModel& model);
 
-/// Standard deviation of lens and pixel that the coarse fit takes for granted, px of its level.
-constexpr double kCoarsePsf_px = 0.45;
+/// Standard deviation of lens and pixel that the coarse fit takes for granted, px of its level. Softer rings catch a view
+/// from farther away, but those of a small marker would run into one another.
+double coarse_psf_px(const View& view);
 
 /// The best fit from the likeliest starts that differ, px of the full picture. Nothing where no marker explains what is
 /// seen even roughly.

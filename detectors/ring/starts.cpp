@@ -131,7 +131,7 @@ std::vector<View> with_perspective(const std::vector<View>& views, double focal_
     Eigen::SelfAdjointEigenSolver<Matrix2d> solver;
     solver.computeDirect(view.shape());
     const double flat = solver.eigenvalues()(0) / solver.eigenvalues()(1);  // cosine of the tilt
-    if (flat > 0.9 || flat < 0.12) continue;
+    if (flat > 0.96 || flat < 0.12) continue;
     const Vector2d away = solver.eigenvectors().col(1);  // along the shorter axis
     const double full = std::sqrt(1 / (flat * flat) - 1) / focal_px;
     for (const double part : {-1.2, -0.6, 0.6, 1.2}) {
