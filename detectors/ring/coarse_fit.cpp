@@ -10,9 +10,12 @@ namespace {
 
 // A start that is less like the picture is not worth a fit; nor is one that is so much less so than the best.
 constexpr double kLeastLikeness = 0.4, kWorse = 0.15;
-constexpr std::size_t kMostStarts = 6;
-/// A coarse fit that is good enough to try no other start, and one that is none.
-constexpr double kGoodMisfit = 0.25, kMostMisfit = 0.55;
+constexpr std::size_t kMostStarts = 4;
+/// So many are tried where one has come near to a marker: clutter rarely does.
+constexpr std::size_t kMostStartsNear = 16;
+/// A coarse fit that is good enough to try no other start, one that is none, and one from
+/// whose neighbour a marker might be reached.
+constexpr double kGoodMisfit = 0.25, kMostMisfit = 0.55, kNearMisfit = 0.7;
 // px of the level: a smaller marker shows no rings, and a larger one would have been found on a coarser level.
 constexpr double kLeastRadius_px = 2, kMostRadius_px = 400;
 constexpr double kSmall_px = 13;
@@ -56,6 +59,8 @@ std::size_t first_level(const Candidate& candidate) {
         chord.radius_px > 0.2 * best.radius_px &&
         norm(chord.middle - best.middle) < kOneMiddle * best.radius_px + 2)
       least = std::min(least, chord.radius_px);
+  // Blurred, a chord shorter than half of the longest is of something else.
+  if (best.blur > 0.5) least = std::max(least, 0.5 * best.radius_px);
   return least > 44 ? 2 : least > 20 ? 1 : 0;
 }
 
@@ -86,7 +91,8 @@ std::optional<Fit> fit_from_best(const std::vector<ScoredView>& starts, std::siz
   std::vector<const View*> tried;
   std::optional<Fit> best;
   for (const auto& [view, likeness] : starts) {
-    if (tried.size() == kMostStarts || likeness < kLeastLikeness ||
+    const bool near = best && best->misfit < kNearMisfit;
+    if (tried.size() >= (near ? kMostStartsNear : kMostStarts) || likeness < kLeastLikeness ||
         likeness < starts.front().likeness - kWorse)
       break;
     if (std::any_of(tried.begin(), tried.end(),
