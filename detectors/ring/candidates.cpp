@@ -93,7 +93,7 @@ std::vector<Radius> convincing_radii(const std::vector<Chord>& chords) {
   std::size_t count = 0;
   for (const Chord& chord : chords) {
     const auto same = std::find_if(radii.begin(), radii.begin() + count, [&](const Radius& radius) {
-      return chord.radius_px < kSameRadius * radius.best->radius_px &&
+      return chord.code == radius.best->code && chord.radius_px < kSameRadius * radius.best->radius_px &&
              radius.best->radius_px < kSameRadius * chord.radius_px;
     });
     if (same != radii.begin() + count) {
