@@ -15,7 +15,7 @@ constexpr std::size_t kMostStarts = 4;
 constexpr std::size_t kMostStartsNear = 16;
 /// A coarse fit that is good enough to try no other start, one that is none, and one from
 /// whose neighbour a marker might be reached.
-constexpr double kGoodMisfit = 0.25, kMostMisfit = 0.55, kNearMisfit = 0.7;
+constexpr double kGoodMisfit = 0.25, kMostMisfit = 0.55, kNearMisfit = 0.6;
 // px of the level: a smaller marker shows no rings, and a larger one would have been found on a coarser level.
 constexpr double kLeastRadius_px = 2, kMostRadius_px = 400;
 constexpr double kSmall_px = 13;

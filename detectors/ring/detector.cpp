@@ -78,11 +78,15 @@ const Look& RingDetector::look(const Image& image) {
 }
 
 void RingDetector::look_at_best() {
+  int in_vain = 0;
   for (const Candidate* candidate : chosen_candidates()) {
-    if (look_.closely.size() == static_cast<std::size_t>(options_.max_candidates)) break;
+    if (in_vain == options_.max_candidates) break;
     if (within_one(look_.markers, *candidate)) continue;
     look_.closely.push_back(look_closely(*candidate));
-    if (const auto& reading = look_.closely.back().read) keep(*reading, look_.markers);
+    if (const auto& reading = look_.closely.back().read)
+      keep(*reading, look_.markers);
+    else
+      ++in_vain;
   }
 }
 
