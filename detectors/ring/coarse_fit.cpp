@@ -10,6 +10,8 @@ namespace {
 
 // A start that is less like the picture is not worth a fit; nor is one that is so much less so than the best.
 constexpr double kLeastLikeness = 0.4, kWorse = 0.15;
+/// All starts are compared with the picture on one point of so many, and so many of them then on all points.
+constexpr std::size_t kRoughly = 2, kLikely = 28;
 constexpr std::size_t kMostStarts = 4;
 /// So many are tried where one has come near to a marker: clutter rarely does.
 constexpr std::size_t kMostStartsNear = 16;
@@ -36,15 +38,21 @@ bool alike(const View& a, const View& b) {
 
 /// px of the level. Without those that are no marker, or too small or large for the level.
 std::vector<ScoredView> scored(const std::vector<View>& starts, const Candidate& candidate,
-                               const Pyramid& pyramid, std::size_t level, RingModel& model) {
+                               const Pyramid& pyramid, std::size_t level, RingModel& model,
+                               std::size_t one_point_of) {
   std::vector<ScoredView> all;
   for (const View& start : starts) {
     const View view = in_larger_pixels(start, 1 << level);
     if (!view.possible() || view.radius() < kLeastRadius_px || view.radius() > kMostRadius_px) continue;
-    all.push_back(
-        {view, likeness(pyramid.level[level], model, candidate.best.code, view, coarse_psf_px(view))});
+    all.push_back({view, likeness(pyramid.level[level], model, candidate.best.code, view, coarse_psf_px(view),
+                                  one_point_of)});
   }
   return all;
+}
+
+void sort_likeliest_first(std::vector<ScoredView>& views) {
+  std::stable_sort(views.begin(), views.end(),
+                   [](const ScoredView& a, const ScoredView& b) { return a.likeness > b.likeness; });
 }
 
 }  // namespace
@@ -68,7 +76,7 @@ double glance(const Candidate& candidate, const std::vector<Chord>& chords, cons
               RingModel& model) {
   const std::size_t level = first_level(candidate);
   double likest = -1;
-  for (const ScoredView& start : scored(plain_starts(candidate, chords), candidate, pyramid, level, model))
+  for (const ScoredView& start : scored(plain_starts(candidate, chords), candidate, pyramid, level, model, 1))
     likest = std::max(likest, start.likeness);
   return likest;
 }
@@ -80,9 +88,12 @@ std::vector<ScoredView> scored_starts(const Candidate& candidate, const std::vec
   const View here = in_larger_pixels(straight_on(candidate.best.middle, candidate.best.radius_px), scale);
   const LocalBlur blur = local_blur(gray, here.centre, 0.95 * here.radius());
   auto all = scored(starts(candidate, chords, blur, kFocalWidths * pyramid.full().cols), candidate, pyramid,
-                    level, model);
-  std::stable_sort(all.begin(), all.end(),
-                   [](const ScoredView& a, const ScoredView& b) { return a.likeness > b.likeness; });
+                    level, model, kRoughly);
+  sort_likeliest_first(all);
+  if (all.size() > kLikely) all.resize(kLikely);
+  for (ScoredView& start : all)
+    start.likeness = likeness(gray, model, candidate.best.code, start.view, coarse_psf_px(start.view));
+  sort_likeliest_first(all);
   return all;
 }
 

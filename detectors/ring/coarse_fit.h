@@ -23,7 +23,7 @@ std::size_t first_level(const Candidate& candidate);
 double glance(const Candidate& candidate, const std::vector<Chord>& chords, const Pyramid& pyramid,
               RingModel& model);
 
-/// The views from which a fit may start, the likeliest first. `chords`: all of the picture.
+/// The likeliest of the views from which a fit may start, best first. `chords`: all of the picture.
 std::vector<ScoredView> scored_starts(const Candidate& candidate, const std::vector<Chord>& chords,
                                       const Pyramid& pyramid, std::size_t level, RingModel& model);
 
