@@ -252,7 +252,7 @@ std::vector<View> starts(const Candidate& candidate, const std::vector<Chord>& a
   const std::vector<View> plain = plain_starts(candidate, all_chords);
   std::vector<View> all = plain;
   const auto add = [&](const std::vector<View>& more) { all.insert(all.end(), more.begin(), more.end()); };
-  if (best.blur < 0.5 && directions >= 3) add(with_perspective(plain, focal_px));
+  if (best.blur < 0.9 && directions >= 3) add(with_perspective(plain, focal_px));
   if (best.blur < 0.3 && directions < 5 && best.likeness > 0.93) add(tilted_about(best, focal_px));
   if (best.blur > 0.1 || local_blur.coherence > 0.2) {
     const Vector2d middle = vector_of(best.middle), similar = middle_of_similar(best, all_chords);
