@@ -76,7 +76,8 @@ double glance(const Candidate& candidate, const std::vector<Chord>& chords, cons
               RingModel& model) {
   const std::size_t level = first_level(candidate);
   double likest = -1;
-  for (const ScoredView& start : scored(plain_starts(candidate, chords), candidate, pyramid, level, model, 1))
+  for (const ScoredView& start :
+       scored(plain_starts(candidate, chords), candidate, pyramid, level, model, kRoughly))
     likest = std::max(likest, start.likeness);
   return likest;
 }
