@@ -23,7 +23,7 @@ struct RingOptions {
   std::string geometry = "paper";  ///< as ring_geometry() takes it
   bool inverted = false;           ///< black rings on white
   double min_diameter_px = 16;     ///< smallest marker looked for, along the line on which it is shortest
-  int max_candidates = 8;  ///< places that are looked at closely; more is slower and finds more in clutter
+  int max_candidates = 6;  ///< places looked at closely in vain; more is slower and finds more in clutter
   RingRefinement refine = RingRefinement::none;
 
   friend bool operator==(const RingOptions&, const RingOptions&) = default;

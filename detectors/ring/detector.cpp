@@ -24,6 +24,13 @@ bool promising(const Candidate& candidate) {
   return best.likeness >= 0.9 && (candidate.chords.size() >= 3 || small_and_clear);
 }
 
+/// So many candidates are glanced at for each that is looked at closely, of small ones and of others: large clutter has
+/// more lines that agree.
+constexpr std::size_t kGlancesPerLook = 3;
+constexpr double kSmall_px = 17;
+/// How much a likeness at a glance counts against the candidate's score.
+constexpr double kGlanceCounts = 0.2;
+
 bool within_one(const std::vector<Reading>& markers, const Candidate& candidate) {
   const Eigen::Vector2d middle(candidate.best.middle.x, candidate.best.middle.y);
   return std::any_of(markers.begin(), markers.end(),
@@ -67,35 +74,45 @@ const Look& RingDetector::look(const Image& image) {
   pyramid_.build(look_.gray);
   look_.candidates = &finder_.find(pyramid_);  // 1, 2
   look_at_best();                              // 3, 4, 5
-  if (look_.markers.empty()) look_at_other_radii();
   if (options_.refine == RingRefinement::ceres) refine_markers();
   sort_best_first(look_.markers);
   return look_;
 }
 
 void RingDetector::look_at_best() {
-  for (const Candidate& candidate : *look_.candidates) {
-    if (look_.closely.size() == static_cast<std::size_t>(options_.max_candidates)) break;
-    if (!promising(candidate) || within_one(look_.markers, candidate)) continue;
-    look_.closely.push_back(look_closely(candidate));
-    if (const auto& reading = look_.closely.back().read) keep(*reading, look_.markers);
+  int in_vain = 0;
+  for (const Candidate* candidate : chosen_candidates()) {
+    if (in_vain == options_.max_candidates) break;
+    if (within_one(look_.markers, *candidate)) continue;
+    look_.closely.push_back(look_closely(*candidate));
+    if (const auto& reading = look_.closely.back().read)
+      keep(*reading, look_.markers);
+    else
+      ++in_vain;
   }
 }
 
-// A candidate may be a marker of another radius than its best chord says: that may be an inner ring, or clutter around.
-void RingDetector::look_at_other_radii() {
-  other_radii_.clear();
-  for (const Closely& close : std::vector(look_.closely))
-    for (const Chord& chord : close.candidate->others) {
-      if (chord.likeness < 0.88) continue;
-      other_radii_.push_back(*close.candidate);
-      other_radii_.back().best = chord;
-      look_.closely.push_back(look_closely(other_radii_.back()));
-      if (const auto& reading = look_.closely.back().read) {
-        keep(*reading, look_.markers);
-        break;
-      }
-    }
+// In clutter many places look like a marker along some line. A glance at the whole of each is quick and tells more.
+std::vector<const Candidate*> RingDetector::chosen_candidates() {
+  struct Glanced {
+    const Candidate* candidate;
+    double score;
+  };
+  std::size_t small = 0, large = 0;
+  const auto most = kGlancesPerLook * static_cast<std::size_t>(options_.max_candidates);
+  std::vector<Glanced> glanced;
+  for (const Candidate& candidate : *look_.candidates) {
+    std::size_t& seen = candidate.best.radius_px < kSmall_px ? small : large;
+    if (!promising(candidate) || seen == most) continue;
+    ++seen;
+    const double likeness = glance(candidate, finder_.chords(), pyramid_, model_);
+    glanced.push_back({&candidate, candidate.score + kGlanceCounts * likeness});
+  }
+  std::stable_sort(glanced.begin(), glanced.end(),
+                   [](const Glanced& a, const Glanced& b) { return a.score > b.score; });
+  std::vector<const Candidate*> chosen;
+  for (const Glanced& each : glanced) chosen.push_back(each.candidate);
+  return chosen;
 }
 
 Closely RingDetector::look_closely(const Candidate& candidate) {

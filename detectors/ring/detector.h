@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -45,7 +44,7 @@ class RingDetector final : public ExplainingDetector {
   std::optional<Vec2> look_at_part(const Image& image, const std::optional<Box>& where);
   cv::Mat white_on_black(const Image& image);
   void look_at_best();
-  void look_at_other_radii();
+  std::vector<const Candidate*> chosen_candidates();
   Closely look_closely(const Candidate& candidate);
   void refine_markers();
   Sightings sightings(Vec2 offset) const;
@@ -61,7 +60,6 @@ class RingDetector final : public ExplainingDetector {
   Pyramid pyramid_;
   cv::Mat gray_, negative_;
   Look look_;
-  std::deque<Candidate> other_radii_;  // of look_.closely; a deque, because it is pointed to
 };
 
 }  // namespace relock::ring

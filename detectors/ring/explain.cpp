@@ -191,7 +191,9 @@ Stage RingDetector::fit_stage(const Closely& closely) {
   const bool read = closely.read.has_value();
   const Fit& fit = read ? closely.read->fit : *closely.coarse;
   const std::size_t code = read ? closely.read->code : closely.candidate->best.code;
-  const double psf_px = read ? closely.read->psf_px : kCoarsePsf_px * (1 << closely.level);
+  const int scale = 1 << closely.level;
+  const double psf_px =
+      read ? closely.read->psf_px : coarse_psf_px(in_larger_pixels(fit.view, scale)) * scale;
   const cv::Rect part = part_around(fit.view, look_.gray);
   const cv::Mat seen = look_.gray(part);
   const cv::Mat1f predicted = predicted_part(Exposure(model_, code, fit.view, psf_px), fit.light, part);

@@ -102,6 +102,7 @@ Fitter::Equations Fitter::equations(std::size_t code, const View& view, const Li
                                     double psf_px) const {
   const Exposure exposure(model_, code, view, psf_px);
   Equations sums{};
+  float before = 0;  // the residual of the sample before: its neighbour, but where a row begins
   Eigen::Matrix<float, kUnknowns, kUnknowns> normal = decltype(normal)::Zero();
   Eigen::Matrix<float, kUnknowns, 1> right = decltype(right)::Zero();
   in_blocks(samples_, [&](const float* x, const float* y, const float* grey, int n) {
@@ -112,6 +113,7 @@ Fitter::Equations Fitter::equations(std::size_t code, const View& view, const Li
       const float left = grey[i] - is.grey[i], w = weight_of(is.leaked[i]);
       residual[i] = left, weight[i] = w;
       const double wd = w, g = grey[i];
+      sums.neighbours += wd * left * before, before = left;
       sums.squares += wd * left * left, sums.weight += wd, sums.grey += wd * g,
           sums.grey_squares += wd * g * g;
     }
@@ -181,8 +183,12 @@ std::optional<Fit> Fitter::fit(const cv::Mat& gray, std::size_t code, const View
   now = equations(code, view, light, options.psf_px);
   const double spread = now.grey_squares - now.grey * now.grey / now.weight;
   if (!(light.gain > 0) || !(spread > 0) || now.weight < 25) return {};
-  return Fit{view, light, std::sqrt(now.squares / spread), std::sqrt(now.squares / now.weight),
-             static_cast<int>(samples_.size())};
+  return Fit{.view = view,
+             .light = light,
+             .misfit = std::sqrt(now.squares / spread),
+             .structure = std::sqrt(std::max(now.neighbours, 0.0) / spread),
+             .residual = std::sqrt(now.squares / now.weight),
+             .pixels = static_cast<int>(samples_.size())};
 }
 
 std::optional<Fitter::RingLights> Fitter::ring_lights(const cv::Mat& gray, const Fit& fit,

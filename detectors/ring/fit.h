@@ -25,6 +25,8 @@ struct Fit {
   Light light;
   /// What is left unexplained: the residual's standard deviation over that of the pixels themselves, 0 to 1.
   double misfit = 1;
+  /// The part of the misfit that is no noise: that neighbouring pixels share. Noise alone leaves some .2 of the misfit.
+  double structure = 1;
   double residual = 0;  ///< its standard deviation, grey levels
   int pixels = 0;       ///< that it rests on
 };
@@ -85,7 +87,7 @@ class Fitter {
   struct Equations {
     Matrix normal;
     Vector right;
-    double squares = 0, weight = 0, grey = 0, grey_squares = 0;  // weighted sums
+    double squares = 0, neighbours = 0, weight = 0, grey = 0, grey_squares = 0;  // weighted sums
   };
   Equations equations(std::size_t code, const View& view, const Light& light, double psf_px) const;
   Light light_of(std::size_t code, const View& view, double psf_px) const;

@@ -13,7 +13,7 @@ std::vector<OptionInfo> ring_option_list() {
       {"min_diameter_px", fmt::format("{}", d.min_diameter_px), "px",
        "smallest marker looked for, along the line on which it is shortest"},
       {"max_candidates", fmt::format("{}", d.max_candidates), "",
-       "places that are looked at closely; more is slower and finds more in clutter"},
+       "places that are looked at closely in vain; more is slower and finds more in clutter"},
       {"refine", "none", "",
        "ceres: what was read is fitted once more, to every pixel; more exact, and it says how exact"},
   };

@@ -11,9 +11,14 @@ namespace relock::ring {
 /// What a reading must be to count.
 struct Acceptance {
   double most_misfit = 0.36;
+  /// Of a sharp marker, and how much more for each radius of blur: what is around the sheet is not one level.
+  double most_structure = 0.12, structure_per_blur = 0.1;
+  /// Of the bound on the misfit where the picture is less sharp than any that is tried.
+  double unsharp = 0.6;
   double most_doubt = 0.07;
-  double most_light_between = 0.15;  ///< rings, in gaps that are told apart
-  double least_gain = 25;            ///< grey levels from black to white
+  double most_light_between = 0.15;            ///< rings, in gaps that are told apart
+  double least_gain = 25;                      ///< grey levels from black to white
+  double least_black = -15, most_white = 275;  ///< grey levels
 };
 
 /// A marker that was read.
