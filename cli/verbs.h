@@ -82,8 +82,8 @@ struct DetectArguments {
   bool explain = false;                     ///< show the stages of the detector's work, too
   std::filesystem::path out = "explained";  ///< folder for them
   bool pose = false;                        ///< tell poses, too: from the next three
-  std::optional<std::filesystem::path> camera, layout;
-  std::optional<double> size_m;
+  std::optional<std::filesystem::path> camera = {}, layout = {};
+  std::optional<double> size_m = {};
 };
 int detect(const DetectArguments& arguments, const Methods& methods);
 
