@@ -89,12 +89,13 @@ Stage starts_stage(const Look& look, const Closely& closely) {
     cv::line(picture, drawn_at(centre - half), drawn_at(centre + half), colour_of(likeness, 0), 1,
              cv::LINE_AA, kFractionBits);
   }
-  return {"starts",
-          fmt::format("the likeliest {} of {} views from which the fit of one candidate may start: outermost "
-                      "ring and blur; blue is unlike the picture, red like it, here {:.2f} at most",
-                      std::min(closely.starts.size(), kMostDrawn), closely.starts.size(),
-                      closely.starts.empty() ? 0 : closely.starts.front().likeness),
-          picture};
+  return {
+      "starts",
+      fmt::format("the likeliest {} of the views from which the fit of one candidate may start: outermost "
+                  "ring and blur; blue is unlike the picture, red like it, here {:.2f} at most",
+                  std::min(closely.starts.size(), kMostDrawn),
+                  closely.starts.empty() ? 0 : closely.starts.front().likeness),
+      picture};
 }
 
 /// What is lit at each radius: 0 where nothing is, the light of a ring where it is.

@@ -78,12 +78,16 @@ double seen_part(const Fit& fit) {
   return std::min(1.0, fit.pixels / std::min<double>(kFinePixels, area));
 }
 
-/// Whether the view explains the picture. The less of a marker is seen, the better: a few bent edges are soon explained.
-bool explained(const Fit& fit, double psf_px, const Acceptance& acceptance) {
+/// Whether view and code explain the picture. The less of a marker is seen, the better: a few bent edges are soon explained.
+bool explained(const Fit& fit, double doubt, double psf_px, const Acceptance& acceptance) {
   const double seen = seen_part(fit), blur = fit.view.blur.norm() / fit.view.radius();
   const double unsharp = psf_px < kSharpnesses_px.back() ? 1 : acceptance.unsharp;
-  return fit.misfit <= seen * unsharp * acceptance.most_misfit &&
-         fit.structure <= seen * (acceptance.most_structure + blur * acceptance.structure_per_blur);
+  const double misfit = fit.misfit / (seen * unsharp * acceptance.most_misfit);
+  const double structure =
+      fit.structure / (seen * (acceptance.most_structure + blur * acceptance.structure_per_blur));
+  const double doubtful = doubt / acceptance.most_doubt;
+  return std::max({misfit, structure, doubtful}) <= 1 &&
+         misfit + structure + doubtful <= 3 * acceptance.most_together;
 }
 
 Fit in_full_picture(Fit fit, int scale) {
@@ -123,9 +127,8 @@ std::optional<Reading> read(const Pyramid& pyramid, Fitter& fitter, const Fit& c
     const bool agreed = !first && now.code == bits.code;
     bits = now;
     if (!agreed) continue;
-    if (!possible_light(*lights, acceptance) || !explained(fit, psf, acceptance)) return {};
-    if (bits.doubt > acceptance.most_doubt || !black_between(*lights, acceptance.most_light_between))
-      return {};
+    if (!possible_light(*lights, acceptance) || !explained(fit, bits.doubt, psf, acceptance)) return {};
+    if (!black_between(*lights, acceptance.most_light_between)) return {};
     return Reading{in_full_picture(fit, level.scale), bits.code, psf * level.scale, bits.doubt, lights->ring};
   }
   return {};

@@ -16,6 +16,8 @@ struct Acceptance {
   /// Of the bound on the misfit where the picture is less sharp than any that is tried.
   double unsharp = 0.6;
   double most_doubt = 0.07;
+  /// Misfit, structure and doubt, each in parts of its bound, are this on average at most: clutter may come near all three.
+  double most_together = 0.7;
   double most_light_between = 0.15;            ///< rings, in gaps that are told apart
   double least_gain = 25;                      ///< grey levels from black to white
   double least_black = -15, most_white = 275;  ///< grey levels

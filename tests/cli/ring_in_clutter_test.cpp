@@ -18,7 +18,7 @@ TEST(RingInClutter, ReadsNothingOnAPosterOfAnyKind) {
   const auto detector = ring_detector({});
   for (const Print print : {Print::circles, Print::target, Print::blinds, Print::grid, Print::text,
                             Print::checkerboard, Print::crosses, Print::landscape})
-    for (std::uint64_t seed : {2, 4, 6}) {
+    for (const std::uint64_t seed : {2U, 4U, 6U}) {
       const Canvas canvas = poster(print, {0.8, 0.6}, 500, Random(seed));
       cv::Mat1b grey, moved;
       cv::cvtColor(canvas.picture, grey, cv::COLOR_BGR2GRAY);

@@ -57,6 +57,7 @@ TEST(RingReading, IsNoneWhenItIsNotGoodEnough) {
   EXPECT_FALSE(read(pyramid, fitter, nearly(), {.most_doubt = 0.9 * reading->doubt}));
   EXPECT_FALSE(read(pyramid, fitter, nearly(), {.least_gain = 250}));
   EXPECT_FALSE(read(pyramid, fitter, nearly(), {.most_structure = 0, .structure_per_blur = 0}));
+  EXPECT_FALSE(read(pyramid, fitter, nearly(), {.most_together = 0.01}));
   EXPECT_FALSE(read(pyramid, fitter, nearly(), {.least_black = 60}));
   EXPECT_FALSE(read(pyramid, fitter, nearly(), {.most_white = 150}));
 }
