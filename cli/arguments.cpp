@@ -220,7 +220,10 @@ void add_bench(CLI::App& app, BenchArguments& a) {
   verb.add_option("what", a.what, "what is measured: ring")->required()->check(CLI::IsMember({"ring"}));
   verb.add_option("--method", a.method, "another detector of rings, or with other options")
       ->capture_default_str();
-  verb.add_option("--only", a.only, "rows, separated by commas: clutter,tilt; else all")->delimiter(',');
+  CLI::Option* only =
+      verb.add_option("--only", a.only, "rows, separated by commas: clutter,tilt; else all")->delimiter(',');
+  verb.add_flag("--geometries", a.geometries, "compare rings of other widths and quiet zones instead")
+      ->excludes(only);
   verb.add_option("--pictures", a.pictures, "so many of every kind, in place of --full's or a sample's")
       ->check(CLI::Range(1, 1000000));
   verb.add_flag("--full", a.full, "as many pictures as it takes to tell: half an hour of one core");

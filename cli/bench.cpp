@@ -7,6 +7,7 @@
 #include <opencv2/core/ocl.hpp>
 #include <opencv2/core/utility.hpp>
 
+#include "cli/bench/geometries.h"
 #include "cli/bench/rows.h"
 #include "cli/json_text.h"
 #include "cli/table.h"
@@ -100,6 +101,11 @@ int bench_detector(const BenchArguments& arguments, const Methods& methods) {
   cv::setNumThreads(1);  // pictures are looked at in parallel, not their parts
   cv::ocl::setUseOpenCL(false);
   const bench::Settings settings = settings_of(arguments);
+  if (arguments.geometries) {
+    const auto all = bench::measure_geometries(settings, methods);
+    fmt::print("{}", arguments.json ? json_text(bench::json_of(all)) : bench::text_of(all));
+    return 0;
+  }
   const auto rows = chosen_rows(arguments.only);
   bench::Bench bench(settings, methods);
   std::vector<Measured> all;

@@ -171,6 +171,7 @@ struct BenchArguments {
   std::string method = "ring";
   std::vector<std::string> only;  ///< rows; empty: all
   std::optional<std::size_t> pictures;
+  bool geometries = false;  ///< compares rings of other widths, and nothing else
   bool even_seeds = false;
   bool full = false;
   int jobs = 1;

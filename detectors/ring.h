@@ -13,6 +13,12 @@ namespace relock {
 /// relock's own detector of ring markers (detectors/ring_marker.h): it finds lines across the picture that are
 /// symmetric like a marker's, and fits to each place that has some the whole picture that a moving marker leaves.
 /// docs/ring.md goes through it.
+/// In what grey levels a blur is the mean of what was exposed.
+enum class RingTone : std::uint8_t {
+  automatic,  ///< whichever explains a marker better
+  coded,  ///< in the picture's own: it was blurred afterwards, or its grey levels are proportional to light
+  light,  ///< in light, which the picture has in sRGB's coding: most cameras
+};
 enum class RingRefinement : std::uint8_t {
   none,
   ceres,  ///< what was read is fitted once more to every pixel, and says how sure it is
@@ -21,9 +27,11 @@ enum class RingRefinement : std::uint8_t {
 struct RingOptions {
   int bits = 2;
   std::string geometry = "paper";  ///< as ring_geometry() takes it
+  double quiet_zone = 1.3;         ///< radius up to which the sheet is black, parts of R
   bool inverted = false;           ///< black rings on white
   double min_diameter_px = 16;     ///< smallest marker looked for, along the line on which it is shortest
   int max_candidates = 6;  ///< places looked at closely in vain; more is slower and finds more in clutter
+  RingTone tone = RingTone::automatic;
   RingRefinement refine = RingRefinement::none;
 
   friend bool operator==(const RingOptions&, const RingOptions&) = default;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cli/bench/times.h"
+#include "cli/bench/violent.h"
 
 namespace relock::bench {
 namespace {
@@ -75,6 +76,20 @@ std::vector<Measured> measure_sizes(Bench& bench) {
         stills(fmt::format("clutter, D 60 to 150 px, tilt to 45 degrees, blur {:g} px", blur),
                clutter_plan({60, 150}, {0, 45}, blur), bench.targets(), bench.settings().seeds);
     all.push_back(recognised("sizes", kind.name, bench.looks(kind, bench.count(kSample, kFull)), goal));
+  }
+  return all;
+}
+
+/// As a sensor blurs: light, and the picture is coded afterwards. The other rows blur coded pictures, as the paper does.
+std::vector<Measured> measure_light(Bench& bench) {
+  std::vector<Measured> all;
+  for (const double blur : {15, 30, 65, 100}) {
+    simulator::StillPlan plan = clutter_plan({150, 150}, {0, 45}, blur);
+    plan.blur_in = simulator::BlurIn::light;
+    const PictureKind kind =
+        stills(fmt::format("clutter, D 150 px, tilt to 45 degrees, blur {:g} px in light", blur), plan,
+               bench.targets(), bench.settings().seeds);
+    all.push_back(recognised("light", kind.name, bench.looks(kind, bench.count(kSample, kFull)), {}));
   }
   return all;
 }
@@ -245,11 +260,13 @@ const std::vector<Row>& rows() {
       {"canvas", "every code before a plain grey", measure_canvas},
       {"clutter", "in clutter by length of the blur", measure_clutter},
       {"sizes", "in clutter, smaller ones too", measure_sizes},
+      {"light", "in clutter, blurred as a camera does", measure_light},
       {"centre", "how exact the centre is", measure_centre},
       {"blur", "how exact the blur is", measure_blur},
       {"pose", "how exact the pose of one marker is, its size and the camera known", measure_pose},
       {"smallest", "how small a sharp marker may be", measure_smallest},
       {"tilt", "how far a sharp marker may be tilted", measure_tilt},
+      {"violent", "bent blur and a rolling shutter", measure_violent},
       {"false-positives", "sightings where there is nothing", measure_false_positives},
       {"wrong-codes", "another code read than there is", measure_wrong_codes},
       {"time", "time of a picture beside aruco's", measure_times},

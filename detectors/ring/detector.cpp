@@ -1,7 +1,10 @@
 #include "detectors/ring/detector.h"
 
 #include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
 
+#include "core/display_coding.h"
 #include "core/error.h"
 #include "core/opencv.h"
 #include "detectors/part.h"
@@ -13,6 +16,7 @@ namespace {
 /// `options.geometry` with what else the options say of it. Throws Error if it is none.
 RingGeometry geometry_of(const RingOptions& options) {
   RingGeometry geometry = ring_geometry(options.geometry, options.bits);
+  geometry.quiet_zone = options.quiet_zone;
   geometry.inverted = options.inverted;
   return geometry;
 }
@@ -30,6 +34,18 @@ constexpr std::size_t kGlancesPerLook = 3;
 constexpr double kSmall_px = 17;
 /// How much a likeness at a glance counts against the candidate's score.
 constexpr double kGlanceCounts = 0.2;
+
+/// Left unexplained by so little, a marker needs no other tone; and blurred by so little, it looks the same in all.
+constexpr double kExplained = 0.15, kLeastBlur_px = 2.5;
+
+/// Light by grey level of sRGB, 0 to 255.
+cv::Mat light_of_srgb() {
+  cv::Mat table(1, 256, CV_8UC1);
+  for (int level = 0; level < 256; ++level)
+    table.at<std::uint8_t>(level) =
+        static_cast<std::uint8_t>(std::lround(255 * light_of_coded(level / 255.0)));
+  return table;
+}
 
 bool within_one(const std::vector<Reading>& markers, const Candidate& candidate) {
   const Eigen::Vector2d middle(candidate.best.middle.x, candidate.best.middle.y);
@@ -69,6 +85,7 @@ RingDetector::RingDetector(const RingOptions& options)
 // (5) rings: how bright each ring is by itself says the bits, and whether it is a marker at all.
 const Look& RingDetector::look(const Image& image) {
   look_ = {};
+  light_is_made_ = false;
   look_.gray = white_on_black(image);
   if (std::min(look_.gray.cols, look_.gray.rows) < options_.min_diameter_px) return look_;
   pyramid_.build(look_.gray);
@@ -119,8 +136,32 @@ Closely RingDetector::look_closely(const Candidate& candidate) {
   Closely close{&candidate, first_level(candidate), {}};
   close.starts = scored_starts(candidate, finder_.chords(), pyramid_, close.level, model_);         // 3
   close.coarse = fit_from_best(close.starts, candidate.best.code, pyramid_, close.level, fitter_);  // 4
-  if (close.coarse) close.read = read(pyramid_, fitter_, *close.coarse, {});                        // 5
+  if (close.coarse) close.read = read_in_its_tone(*close.coarse);                                   // 5
   return close;
+}
+
+// A camera's sensor averages light, and the picture's coding then brightens the dark: edges across the blur look moved. A
+// sharp marker is the same in both.
+std::optional<Reading> RingDetector::read_in_its_tone(const Fit& coarse) {
+  std::optional<Reading> reading;
+  if (options_.tone != RingTone::light) reading = read(pyramid_, fitter_, coarse, {});
+  if (options_.tone == RingTone::coded) return reading;
+  const bool settled = reading && reading->fit.misfit < kExplained;
+  if (options_.tone == RingTone::automatic && (settled || coarse.view.blur.norm() < kLeastBlur_px))
+    return reading;
+  auto other = read(in_light(), fitter_, coarse, {});
+  if (!other || (reading && reading->fit.misfit <= other->fit.misfit)) return reading;
+  other->in_light = true;
+  return other;
+}
+
+const Pyramid& RingDetector::in_light() {
+  if (!light_is_made_) {
+    cv::LUT(look_.gray, light_of_srgb(), light_);
+    light_pyramid_.build(light_);
+    light_is_made_ = true;
+  }
+  return light_pyramid_;
 }
 
 // Their covariances say how well their centres and blurs are known.
@@ -129,7 +170,8 @@ void RingDetector::refine_markers() {
     return Covariance{covariance(x, x), covariance(x, y), covariance(y, y)};
   };
   for (Reading& marker : look_.markers) {
-    const auto refined = refine(look_.gray, model_, marker.code, marker.fit, marker.psf_px);
+    const auto refined = refine(marker.in_light ? in_light().full() : look_.gray, model_, marker.code,
+                                marker.fit, marker.psf_px);
     if (!refined) continue;
     marker.fit = refined->fit;
     marker.centre_covariance = part(refined->covariance, kCentreX, kCentreY);

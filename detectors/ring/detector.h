@@ -46,6 +46,10 @@ class RingDetector final : public ExplainingDetector {
   void look_at_best();
   std::vector<const Candidate*> chosen_candidates();
   Closely look_closely(const Candidate& candidate);
+  /// In the tone that is asked for, or the one that explains more.
+  std::optional<Reading> read_in_its_tone(const Fit& coarse);
+  /// The picture with grey levels proportional to light; made when it is asked for.
+  const Pyramid& in_light();
   void refine_markers();
   Sightings sightings(Vec2 offset) const;
 
@@ -57,8 +61,9 @@ class RingDetector final : public ExplainingDetector {
   CandidateFinder finder_;
   Fitter fitter_;
   std::vector<std::string> codes_;
-  Pyramid pyramid_;
-  cv::Mat gray_, negative_;
+  Pyramid pyramid_, light_pyramid_;
+  bool light_is_made_ = false;  // of this picture
+  cv::Mat gray_, negative_, light_;
   Look look_;
 };
 

@@ -9,11 +9,16 @@ std::vector<OptionInfo> ring_option_list() {
   return {
       {"bits", fmt::format("{}", d.bits), "", "bits of the codes: 1 to 6"},
       {"geometry", d.geometry, "", "where the rings are: paper, even, or radii (relock marker has the same)"},
+      {"quiet_zone", fmt::format("{}", d.quiet_zone), "",
+       "radius up to which the sheet is black, parts of the outermost ring's"},
       {"inverted", d.inverted ? "true" : "false", "", "true: black rings on white"},
       {"min_diameter_px", fmt::format("{}", d.min_diameter_px), "px",
        "smallest marker looked for, along the line on which it is shortest"},
       {"max_candidates", fmt::format("{}", d.max_candidates), "",
        "places that are looked at closely in vain; more is slower and finds more in clutter"},
+      {"tone", "auto", "",
+       "what a blur is the mean of: coded grey levels, light in sRGB's coding, or auto: what explains a "
+       "marker better"},
       {"refine", "none", "",
        "ceres: what was read is fitted once more, to every pixel; more exact, and it says how exact"},
   };
@@ -23,6 +28,7 @@ RingOptions ring_options(const Options& given) {
   RingOptions o;
   o.bits = given.whole("bits", 1, kMostRingBits);
   o.geometry = given.word("geometry");
+  o.quiet_zone = given.number("quiet_zone", 1, 4);
   o.inverted = given.flag("inverted");
   o.min_diameter_px = given.number("min_diameter_px", 15, 10000);
   o.max_candidates = given.whole("max_candidates", 1, 1000);

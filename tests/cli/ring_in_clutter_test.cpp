@@ -38,8 +38,8 @@ TEST(RingInClutter, ReadsNothingWhereNoMarkerIs) {
 }
 
 /// How many of the stills are read right; none may be read wrong.
-int read_right(const StillPlan& plan, std::size_t stills) {
-  const auto detector = ring_detector({});
+int read_right(const StillPlan& plan, std::size_t stills, const RingOptions& options = {}) {
+  const auto detector = ring_detector(options);
   std::vector<PrintedTarget> targets;
   for (const char* name : {"ring:00", "ring:01", "ring:10", "ring:11"})
     targets.push_back(print_target(name, 0.15));
@@ -67,6 +67,14 @@ TEST(RingInClutter, ReadsMarkersThatAreFarTilted) {
 
 TEST(RingInClutter, ReadsMarkersBlurredByTwoThirdsOfTheirSize) {
   EXPECT_GE(read_right({.size_px = {150, 150}, .blurs_px = {80, 100}}, 12), 11);
+}
+
+// What a camera's sensor averages is light; pictures code it.
+TEST(RingInClutter, ReadsMarkersWhoseLightWasBlurred) {
+  const StillPlan plan{.size_px = {100, 150}, .blurs_px = {20, 50}, .blur_in = BlurIn::light};
+  EXPECT_GE(read_right(plan, 12), 11);
+  EXPECT_GE(read_right(plan, 12, {.tone = RingTone::light}), 11);
+  EXPECT_LE(read_right(plan, 12, {.tone = RingTone::coded}), 8);  // what the others would miss
 }
 
 }  // namespace
