@@ -37,6 +37,8 @@ constexpr double kGlanceCounts = 0.2;
 
 /// Left unexplained by so little, a marker needs no other tone; and blurred by so little, it looks the same in all.
 constexpr double kExplained = 0.15, kLeastBlur_px = 2.5;
+/// A coarse fit that leaves more is of no marker, whatever the tone.
+constexpr double kHopeless = 0.42;
 
 /// Light by grey level of sRGB, 0 to 255.
 cv::Mat light_of_srgb() {
@@ -147,7 +149,9 @@ std::optional<Reading> RingDetector::read_in_its_tone(const Fit& coarse) {
   if (options_.tone != RingTone::light) reading = read(pyramid_, fitter_, coarse, {});
   if (options_.tone == RingTone::coded) return reading;
   const bool settled = reading && reading->fit.misfit < kExplained;
-  if (options_.tone == RingTone::automatic && (settled || coarse.view.blur.norm() < kLeastBlur_px))
+  const bool hopeless = !reading && coarse.misfit > kHopeless;
+  if (options_.tone == RingTone::automatic &&
+      (settled || hopeless || coarse.view.blur.norm() < kLeastBlur_px))
     return reading;
   auto other = read(in_light(), fitter_, coarse, {});
   if (!other || (reading && reading->fit.misfit <= other->fit.misfit)) return reading;
