@@ -226,7 +226,7 @@ void add_bench(CLI::App& app, BenchArguments& a) {
       ->excludes(only);
   verb.add_option("--pictures", a.pictures, "so many of every kind, in place of --full's or a sample's")
       ->check(CLI::Range(1, 1000000));
-  verb.add_flag("--full", a.full, "as many pictures as it takes to tell: half an hour of one core");
+  verb.add_flag("--full", a.full, "as many pictures as it takes to tell: an hour of one core");
   verb.add_flag("--even-seeds", a.even_seeds, "pictures to tune on: they tell nothing of how good it is");
   add_jobs(verb, a.jobs, "pictures at a time; all but times is the same for any number");
   verb.add_flag("--json", a.json, "print the lines as JSON");

@@ -7,6 +7,7 @@
 
 #include "cli/bench/times.h"
 #include "cli/bench/violent.h"
+#include "cli/table.h"
 
 namespace relock::bench {
 namespace {
@@ -216,6 +217,23 @@ std::vector<Measured> measure_pose(Bench& bench) {
   return all;
 }
 
+/// A coloured sheet is a dark grey one to a detector that looks at grey: what does that cost?
+std::vector<Measured> measure_contrast(Bench& bench) {
+  std::vector<Measured> all;
+  for (const double black : {30, 60, 90, 120, 150}) {
+    simulator::StillPlan plan = clutter_plan({150, 150}, {0, 45}, 65);
+    plan.black = {black, black}, plan.white = {210, 210};
+    const PictureKind kind = stills(
+        fmt::format("clutter, D 150 px, blur 65 px, black at {:g} and white at 210 grey levels", black), plan,
+        bench.targets(), bench.settings().seeds);
+    const auto& looks = bench.looks(kind, bench.count(kSample, kFull));
+    all.push_back(recognised("contrast", kind.name, looks, {}));
+    all.back().detail =
+        fmt::format("centre's median {} px", cell(median("", "", "", centre_errors(looks), {}).value, 3));
+  }
+  return all;
+}
+
 std::vector<Measured> measure_false_positives(Bench& bench) {
   std::size_t pictures = 0;
   double found = 0;
@@ -266,6 +284,7 @@ const std::vector<Row>& rows() {
       {"pose", "how exact the pose of one marker is, its size and the camera known", measure_pose},
       {"smallest", "how small a sharp marker may be", measure_smallest},
       {"tilt", "how far a sharp marker may be tilted", measure_tilt},
+      {"contrast", "what a sheet that is not black costs", measure_contrast},
       {"violent", "bent blur and a rolling shutter", measure_violent},
       {"false-positives", "sightings where there is nothing", measure_false_positives},
       {"wrong-codes", "another code read than there is", measure_wrong_codes},

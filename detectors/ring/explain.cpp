@@ -196,7 +196,8 @@ Stage RingDetector::fit_stage(const Closely& closely) {
   const double psf_px =
       read ? closely.read->psf_px : coarse_psf_px(in_larger_pixels(fit.view, scale)) * scale;
   const cv::Rect part = part_around(fit.view, look_.gray);
-  const cv::Mat seen = look_.gray(part);
+  const bool in_its_light = read && closely.read->in_light;
+  const cv::Mat seen = (in_its_light ? in_light().full() : look_.gray)(part);
   const cv::Mat1f predicted = predicted_part(Exposure(model_, code, fit.view, psf_px), fit.light, part);
   cv::Mat1f residual;
   seen.convertTo(residual, CV_32F);
@@ -210,11 +211,13 @@ Stage RingDetector::fit_stage(const Closely& closely) {
   }
   cv::Mat1b side_by_side;
   cv::hconcat(panels, 3, side_by_side);
-  return {"fit",
-          fmt::format("seen, predicted by the {} fit, and four times their difference about grey; it leaves "
-                      "{:.2f} unexplained, radius {:.1f} px, blur {:.1f} px",
-                      read ? "last" : "coarse", fit.misfit, fit.view.radius(), fit.view.blur.norm()),
-          side_by_side};
+  return {
+      "fit",
+      fmt::format("seen{}, predicted by the {} fit, and four times their difference about grey; it leaves "
+                  "{:.2f} unexplained, radius {:.1f} px, blur {:.1f} px",
+                  in_its_light ? " in light" : "", read ? "last" : "coarse", fit.misfit, fit.view.radius(),
+                  fit.view.blur.norm()),
+      side_by_side};
 }
 
 std::vector<Stage> RingDetector::explain(const Image& image, const std::optional<Box>& where) {
