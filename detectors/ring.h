@@ -31,6 +31,8 @@ struct RingOptions {
   bool inverted = false;           ///< black rings on white
   double min_diameter_px = 16;     ///< smallest marker looked for, along the line on which it is shortest
   int max_candidates = 6;  ///< places looked at closely in vain; more is slower and finds more in clutter
+  bool colours =
+      false;  ///< tell the sheet's colour, too: codes are "01" and "01-red"; needs pictures in colour
   RingTone tone = RingTone::automatic;
   RingRefinement refine = RingRefinement::none;
 

@@ -1,6 +1,7 @@
 #include "detectors/ring/detector.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <opencv2/core.hpp>
 
@@ -49,6 +50,8 @@ cv::Mat light_of_srgb() {
   return table;
 }
 
+constexpr int kColourPixels = 700;
+
 bool within_one(const std::vector<Reading>& markers, const Candidate& candidate) {
   const Eigen::Vector2d middle(candidate.best.middle.x, candidate.best.middle.y);
   return std::any_of(markers.begin(), markers.end(),
@@ -94,6 +97,7 @@ const Look& RingDetector::look(const Image& image) {
   look_.candidates = &finder_.find(pyramid_);  // 1, 2
   look_at_best();                              // 3, 4, 5
   if (options_.refine == RingRefinement::ceres) refine_markers();
+  if (options_.colours) look_at_colours(image);
   sort_best_first(look_.markers);
   return look_;
 }
@@ -183,6 +187,24 @@ void RingDetector::refine_markers() {
   }
 }
 
+// The rings are white: what the sheet throws back of red, green and blue light is told against them, whatever the light.
+void RingDetector::look_at_colours(const Image& image) {
+  if (image.format() != PixelFormat::bgr8)
+    throw Error("ring(colours=true) needs pictures in colour, and this one is grey");
+  for (Reading& marker : look_.markers) {
+    std::array<double, 3> part{};  // blue, green, red
+    for (int channel = 0; channel < 3; ++channel) {
+      cv::extractChannel(read_only_mat(image), channel_, channel);
+      cv::LUT(channel_, light_of_srgb(), channel_);
+      const auto light = fitter_.light_in(channel_, marker.code, marker.fit.view,
+                                          {.pixels = kColourPixels, .psf_px = marker.psf_px});
+      if (light && light->offset + light->gain > 0)
+        part.at(static_cast<std::size_t>(channel)) = light->offset / (light->offset + light->gain);
+    }
+    marker.sheet = nearest_sheet_colour({part[2], part[1], part[0]});
+  }
+}
+
 Sightings RingDetector::detect(const Image& image, const std::optional<Box>& where) {
   const auto offset = look_at_part(image, where);
   return offset ? sightings(*offset) : Sightings{};
@@ -209,14 +231,15 @@ Sightings RingDetector::sightings(Vec2 offset) const {
     const View& view = marker.fit.view;
     Ellipse outline = outline_of(view);
     outline.centre = outline.centre + offset;
-    all.push_back({.centre = Vec2{view.centre.x(), view.centre.y()} + offset,
-                   .centre_kind = CentreKind::projected,
-                   .outline = outline,
-                   .code = Code{ring_family(options_.bits), codes_[marker.code]},
-                   .confidence = std::clamp(1 - marker.fit.misfit, 0.0, 1.0),
-                   .blur = blur_of(view),
-                   .centre_covariance = marker.centre_covariance,
-                   .blur_covariance = marker.blur_covariance});
+    all.push_back(
+        {.centre = Vec2{view.centre.x(), view.centre.y()} + offset,
+         .centre_kind = CentreKind::projected,
+         .outline = outline,
+         .code = Code{ring_family(options_.bits), to_string(RingValue{codes_[marker.code], marker.sheet})},
+         .confidence = std::clamp(1 - marker.fit.misfit, 0.0, 1.0),
+         .blur = blur_of(view),
+         .centre_covariance = marker.centre_covariance,
+         .blur_covariance = marker.blur_covariance});
   }
   return all;
 }

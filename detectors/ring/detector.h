@@ -51,6 +51,7 @@ class RingDetector final : public ExplainingDetector {
   /// The picture with grey levels proportional to light; made when it is asked for.
   const Pyramid& in_light();
   void refine_markers();
+  void look_at_colours(const Image& image);
   Sightings sightings(Vec2 offset) const;
 
   Stage chords_stage() const;
@@ -63,7 +64,7 @@ class RingDetector final : public ExplainingDetector {
   std::vector<std::string> codes_;
   Pyramid pyramid_, light_pyramid_;
   bool light_is_made_ = false;  // of this picture
-  cv::Mat gray_, negative_, light_;
+  cv::Mat gray_, negative_, light_, channel_;
   Look look_;
 };
 

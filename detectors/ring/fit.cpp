@@ -98,6 +98,13 @@ Light Fitter::light_of(std::size_t code, const View& view, double psf_px) const 
   return {light[0], light[1], light[2]};
 }
 
+std::optional<Light> Fitter::light_in(const cv::Mat& gray, std::size_t code, const View& view,
+                                      const FitOptions& options) {
+  spread_samples(gray, model_, view, options.pixels, samples_);
+  if (samples_.size() < kFewest) return {};
+  return light_of(code, view, options.psf_px);
+}
+
 Fitter::Equations Fitter::equations(std::size_t code, const View& view, const Light& light,
                                     double psf_px) const {
   const Exposure exposure(model_, code, view, psf_px);

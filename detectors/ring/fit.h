@@ -68,6 +68,9 @@ class Fitter {
   /// From a view near enough: half a ring in position. `gray` is CV_8UC1. Nothing where too little of the marker
   /// is in the picture or no marker explains it.
   std::optional<Fit> fit(const cv::Mat& gray, std::size_t code, const View& start, const FitOptions& options);
+  /// Brightness of a marker in another picture of it, of whose view is known; `code` and `psf_px` as for `fit`.
+  std::optional<Light> light_in(const cv::Mat& gray, std::size_t code, const View& view,
+                                const FitOptions& options);
   /// How bright each annulus is by itself, in the view of a fit, as parts of what the two rings that are always white
   /// are on average; with the standard error of each.
   struct AnnulusLight {

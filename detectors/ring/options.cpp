@@ -16,6 +16,8 @@ std::vector<OptionInfo> ring_option_list() {
        "smallest marker looked for, along the line on which it is shortest"},
       {"max_candidates", fmt::format("{}", d.max_candidates), "",
        "places that are looked at closely in vain; more is slower and finds more in clutter"},
+      {"colours", d.colours ? "true" : "false", "",
+       "true: tell red, green and blue sheets, too; needs pictures in colour"},
       {"tone", "auto", "",
        "what a blur is the mean of: coded grey levels, light in sRGB's coding, or auto: what explains a "
        "marker better"},
@@ -32,6 +34,9 @@ RingOptions ring_options(const Options& given) {
   o.inverted = given.flag("inverted");
   o.min_diameter_px = given.number("min_diameter_px", 15, 10000);
   o.max_candidates = given.whole("max_candidates", 1, 1000);
+  o.colours = given.flag("colours");
+  const std::string& tone = given.word("tone", {"auto", "coded", "light"});
+  o.tone = tone == "coded" ? RingTone::coded : tone == "light" ? RingTone::light : RingTone::automatic;
   o.refine =
       given.word("refine", {"none", "ceres"}) == "ceres" ? RingRefinement::ceres : RingRefinement::none;
   ring_geometry(o.geometry, o.bits);  // throws if it is none

@@ -32,6 +32,7 @@ struct Reading {
   /// each other, bits from black or white.
   double doubt = 1;
   std::vector<Fitter::AnnulusLight> lights;  ///< of each ring, as Fitter::RingLights has them
+  SheetColour sheet = SheetColour::black;    ///< where colours are asked for
   bool in_light = false;                     ///< read where grey levels are proportional to light
   std::optional<Covariance> centre_covariance = {}, blur_covariance = {};  ///< px^2, of a refined fit
 };
