@@ -110,7 +110,8 @@ std::unique_ptr<Tracker> gap_aware(TrackerFactory make_tracker, Hints hints,
 /// (the last 64 with a blur of 2 px or more). That needs no metadata, and takes up what the blur's
 /// estimator does wrong in proportion. Until 5 are seen kappa is 2: an exposure of half a period.
 ///
-/// The blur is the tracker's own (Sighting::blur), else what `meter` says. Without any it is gap_aware.
+/// The blur is the tracker's own (Sighting::blur), else what `meter` says. Where neither says any
+/// it is gap_aware.
 std::unique_ptr<Tracker> blur_predict(TrackerFactory make_tracker, Hints hints,
                                       std::unique_ptr<Searcher> searcher, BlurMeter meter,
                                       const GapOptions& options = {});
