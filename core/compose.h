@@ -37,7 +37,7 @@ struct HybridOptions {
 
 /// Detection where it succeeds, tracking in between. A detection is the answer, and a new tracker starts from
 /// it; where there is none the tracker answers. A tracker that is silent or less confident than `doubt` is in doubt: the
-/// detector looks in this very frame, and if it finds nothing, nothing is said.
+/// detector looks in this very frame, and if it finds nothing, nothing is said. It looks after a gap, too.
 ///
 /// Which detection is which target: the one that reads the target's code; else, one to one, the nearest whose
 /// code does not contradict, within 2 sizes of the last place, or anywhere once the last answer was nothing.
@@ -51,11 +51,11 @@ struct GuardedOptions {
   int every = 10;    ///< frames from one look of the detector to the next, while nothing is in doubt
   double doubt = 0;  ///< a tracker less confident than this makes the detector look at once; so does silence
   double patience_s = 1;  ///< unconfirmed for longer is lost
-  double apart = 0.5;     ///< sizes: a detection that is farther from the tracker's answer corrects it
+  double apart = 0.25;    ///< sizes: a detection that is farther from the tracker's answer corrects it
 };
 
 /// A tracker that a detector watches. The tracker leads, from a given box; the detector looks every `every`
-/// frames and on doubt. Seen near the tracker's answer the target is confirmed; seen elsewhere the detection is
+/// frames, on doubt and after a gap. Seen near the tracker's answer the target is confirmed; seen elsewhere the detection is
 /// the answer and a new tracker starts from it. A target that was not confirmed for `patience_s` is lost:
 /// nothing is said until the detector, which now looks in every frame, finds it again. So no loss is silent for
 /// longer than that, unless the detector errs, too.

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "core/compose.h"
+#include "core/motion_memory.h"
 #include "core/pursuit.h"
 
 namespace relock {
@@ -22,8 +23,9 @@ class Guarded final : public Method {
   }
 
   Sightings locate(const Frame& frame) override {
+    clock_.show(frame.captured);
     if (targets_.empty()) return {};
-    bool look = ++since_look_ >= options_.every;
+    bool look = ++since_look_ >= options_.every || clock_.after_gap();
     for (auto& [id, target] : targets_) {
       if (target.started == frame.index) continue;
       if (!target.lost) target.answer = target.pursuit.track(frame, make_tracker_, starts_);
@@ -98,6 +100,7 @@ class Guarded final : public Method {
   std::unique_ptr<Detector> detector_;
   GuardedOptions options_;
   std::map<TargetId, Watched> targets_;
+  MotionMemory clock_;
   int since_look_ = 0;
   std::uint64_t starts_ = 0;
 };

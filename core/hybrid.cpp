@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "core/compose.h"
+#include "core/motion_memory.h"
 #include "core/pursuit.h"
 
 namespace relock {
@@ -23,7 +24,8 @@ class Hybrid final : public Method {
   }
 
   Sightings locate(const Frame& frame) override {
-    bool look = ++since_look_ >= options_.every || (targets_.empty() && !boxes_given_);
+    clock_.show(frame.captured);
+    bool look = ++since_look_ >= options_.every || clock_.after_gap() || (targets_.empty() && !boxes_given_);
     for (Followed& target : targets_) target.answer.reset(), target.asked = target.believed = false;
     if (!look) look = any_in_doubt(frame);
     Sightings strangers;
@@ -117,6 +119,7 @@ class Hybrid final : public Method {
   HybridOptions options_;
   std::vector<Followed> targets_;
   bool boxes_given_ = false;
+  MotionMemory clock_;
   int since_look_ = 0;
   std::uint64_t starts_ = 0;
 };

@@ -17,7 +17,7 @@ double interval_in(Duration period, Time from, Time to) { return seconds(to - fr
 }  // namespace
 
 void MotionMemory::show(Time captured) {
-  if (shown_.size() >= 3) period_ = nominal_period(std::vector<Time>(shown_.begin(), shown_.end()));
+  if (shown_.size() >= 2) period_ = nominal_period(std::vector<Time>(shown_.begin(), shown_.end()));
   shown_.push_back(captured);
   if (shown_.size() > kFramesKept) shown_.pop_front();
 }
