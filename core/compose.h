@@ -12,7 +12,7 @@
 // command line they are detect(D), track(T), hybrid(D,T), guarded(T,D), gap-aware(T) and blur-predict(T[,D])
 // (docs/combining.md).
 //
-// Times are the frames' own: a gap is more than kGap nominal periods since the last frame that was shown, and the nominal
+// Times are the frames' own: a gap is more than 1.5 nominal periods since the last frame that was shown, and the nominal
 // period is estimated from the frames shown so far. Places that are apart are measured in sizes of the target
 // (core/geometry.h, size_of).
 
