@@ -30,7 +30,7 @@ struct RingOptions {
   double quiet_zone = 1.3;         ///< radius up to which the sheet is black, parts of R
   bool inverted = false;           ///< black rings on white
   double min_diameter_px = 16;     ///< smallest marker looked for, along the line on which it is shortest
-  int max_candidates = 6;  ///< places looked at closely in vain; more is slower and finds more in clutter
+  int max_candidates = 4;  ///< places looked at closely in vain; more is slower and finds more in clutter
   bool colours =
       false;  ///< tell the sheet's colour, too: codes are "01" and "01-red"; needs pictures in colour
   RingTone tone = RingTone::automatic;
