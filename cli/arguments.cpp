@@ -111,6 +111,11 @@ void add_detect(CLI::App& app, DetectArguments& a) {
   CLI::Option* explain =
       verb.add_flag("--explain", a.explain, "show the stages of the detector's work: pictures and charts");
   verb.add_option("--out", a.out, "folder for the stages")->capture_default_str()->needs(explain);
+  CLI::Option* pose = verb.add_flag("--pose", a.pose, "tell where markers are and how they are tilted, too");
+  verb.add_option("--camera", a.camera, "calibration: YAML of OpenCV's or ROS's camera_info")->needs(pose);
+  verb.add_option("--size", a.size_m, "of every marker, metres: a ring's diameter, a square's side")
+      ->needs(pose);
+  verb.add_option("--layout", a.layout, "markers that hang on one plate (TOML)")->needs(pose);
 }
 
 void add_list(CLI::App& app, ListArguments& a) {
@@ -215,10 +220,13 @@ void add_bench(CLI::App& app, BenchArguments& a) {
   verb.add_option("what", a.what, "what is measured: ring")->required()->check(CLI::IsMember({"ring"}));
   verb.add_option("--method", a.method, "another detector of rings, or with other options")
       ->capture_default_str();
-  verb.add_option("--only", a.only, "rows, separated by commas: clutter,tilt; else all")->delimiter(',');
+  CLI::Option* only =
+      verb.add_option("--only", a.only, "rows, separated by commas: clutter,tilt; else all")->delimiter(',');
+  verb.add_flag("--geometries", a.geometries, "compare rings of other widths and quiet zones instead")
+      ->excludes(only);
   verb.add_option("--pictures", a.pictures, "so many of every kind, in place of --full's or a sample's")
       ->check(CLI::Range(1, 1000000));
-  verb.add_flag("--full", a.full, "as many pictures as it takes to tell: half an hour of one core");
+  verb.add_flag("--full", a.full, "as many pictures as it takes to tell: an hour of one core");
   verb.add_flag("--even-seeds", a.even_seeds, "pictures to tune on: they tell nothing of how good it is");
   add_jobs(verb, a.jobs, "pictures at a time; all but times is the same for any number");
   verb.add_flag("--json", a.json, "print the lines as JSON");

@@ -7,6 +7,7 @@
 #include <opencv2/core/ocl.hpp>
 #include <opencv2/core/utility.hpp>
 
+#include "cli/bench/geometries.h"
 #include "cli/bench/rows.h"
 #include "cli/json_text.h"
 #include "cli/table.h"
@@ -46,9 +47,9 @@ std::vector<bench::Row> chosen_rows(const std::vector<std::string>& only) {
 }
 
 std::string value_text(const Measured& m) {
-  const int decimals = m.unit == "px" && m.row == "centre"                          ? 3
-                       : m.row == "blur" || m.row == "time" || m.unit == "per 1000" ? 2
-                                                                                    : 1;
+  const int decimals = m.unit == "px" && m.row == "centre"                                             ? 3
+                       : m.row == "blur" || m.row == "pose" || m.row == "time" || m.unit == "per 1000" ? 2
+                                                                                                       : 1;
   std::string text = cell(m.value, decimals) + " " + m.unit;
   if (m.interval)
     text += fmt::format(" [{:.{}f}, {:.{}f}]", m.interval->low, decimals, m.interval->high, decimals);
@@ -100,6 +101,11 @@ int bench_detector(const BenchArguments& arguments, const Methods& methods) {
   cv::setNumThreads(1);  // pictures are looked at in parallel, not their parts
   cv::ocl::setUseOpenCL(false);
   const bench::Settings settings = settings_of(arguments);
+  if (arguments.geometries) {
+    const auto all = bench::measure_geometries(settings, methods);
+    fmt::print("{}", arguments.json ? json_text(bench::json_of(all)) : bench::text_of(all));
+    return 0;
+  }
   const auto rows = chosen_rows(arguments.only);
   bench::Bench bench(settings, methods);
   std::vector<Measured> all;

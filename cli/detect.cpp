@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
 
+#include "cli/camera_file.h"
 #include "cli/catalogue.h"
 #include "cli/drawing.h"
 #include "cli/files.h"
 #include "cli/json_text.h"
+#include "cli/poses.h"
 #include "cli/stages.h"
 #include "cli/verbs.h"
 #include "core/error.h"
@@ -37,14 +39,21 @@ Json to_json(const Outline& outline) {
             {"angle_rad", e.angle_rad}}}};
 }
 
+Json to_json(const std::optional<Covariance>& c) {
+  return c ? Json{{"xx", c->xx}, {"xy", c->xy}, {"yy", c->yy}} : Json();
+}
+
 Json to_json(const Sighting& s) {
-  return {{"code", s.code ? Json(to_string(*s.code)) : Json()},
-          {"centre", to_json(s.centre)},
-          {"centre_kind", to_string(s.centre_kind)},
-          {"outline", to_json(s.outline)},
-          {"confidence", s.confidence},
-          {"blur", s.blur ? Json{{"direction_rad", s.blur->direction_rad}, {"length_px", s.blur->length_px}}
-                          : Json()}};
+  Json json{{"code", s.code ? Json(to_string(*s.code)) : Json()},
+            {"centre", to_json(s.centre)},
+            {"centre_kind", to_string(s.centre_kind)},
+            {"outline", to_json(s.outline)},
+            {"confidence", s.confidence},
+            {"blur", s.blur ? Json{{"direction_rad", s.blur->direction_rad}, {"length_px", s.blur->length_px}}
+                            : Json()}};
+  if (s.centre_covariance) json["centre_covariance_px2"] = to_json(s.centre_covariance);
+  if (s.blur_covariance) json["blur_covariance_px2"] = to_json(s.blur_covariance);
+  return json;
 }
 
 struct WrittenStage {
@@ -57,16 +66,23 @@ struct Detection {
   Sightings sightings;
   double ms = 0;
   std::vector<WrittenStage> stages;  ///< if they were asked for
+  /// If they were asked for: of each sighting, and of the plate.
+  std::vector<std::vector<pose::Pose>> poses = {};
+  std::optional<std::vector<pose::Pose>> plate = {};
 };
 
 void print_json(const Detection& d) {
   Json sightings = Json::array();
-  for (const Sighting& s : d.sightings) sightings.push_back(to_json(s));
+  for (std::size_t i = 0; i < d.sightings.size(); ++i) {
+    sightings.push_back(to_json(d.sightings[i]));
+    if (!d.poses.empty()) sightings.back()["poses"] = json_of(d.poses[i]);
+  }
   Json line{{"image", d.image},
             {"width", d.size.width},
             {"height", d.size.height},
             {"sightings", sightings},
             {"ms", std::round(d.ms * 1000) / 1000}};
+  if (d.plate) line["plate"] = json_of(*d.plate);
   for (const auto& [name, sentence, file] : d.stages)
     line["stages"].push_back({{"name", name}, {"sentence", sentence}, {"file", file}});
   fmt::print("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
@@ -76,10 +92,14 @@ void print_text(const Detection& d) {
   for (std::size_t i = 0; i < d.stages.size(); ++i)
     fmt::print("{} {}: {} ({})\n", i + 1, d.stages[i].name, d.stages[i].sentence, d.stages[i].file);
   if (d.sightings.empty()) fmt::print("{}: nothing ({:.1f} ms)\n", d.image, d.ms);
-  for (const Sighting& s : d.sightings)
+  for (std::size_t i = 0; i < d.sightings.size(); ++i) {
+    const Sighting& s = d.sightings[i];
     fmt::print("{}: {} at {:.2f}, {:.2f}, size {:.1f} px, confidence {:.2f} ({:.1f} ms)\n", d.image,
                s.code ? to_string(*s.code) : "something", s.centre.x, s.centre.y, size_of(s.outline),
                s.confidence, d.ms);
+    if (!d.poses.empty()) fmt::print("{}", text_of(d.poses[i]));
+  }
+  if (d.plate) fmt::print("{}: the plate\n{}", d.image, text_of(*d.plate));
 }
 
 cv::Mat read_picture(const std::string& name) {
@@ -120,6 +140,25 @@ std::vector<WrittenStage> explain_into(const std::filesystem::path& folder, cons
   return written;
 }
 
+/// What poses are made from, if they were asked for.
+std::optional<PoseQuestion> question_of(const DetectArguments& a) {
+  if (!a.pose) return {};
+  if (!a.camera) throw Error("a pose needs a calibrated camera: --camera FILE");
+  PoseQuestion question{read_camera(*a.camera), a.size_m};
+  if (a.layout) question.layout = read_layout(*a.layout);
+  return question;
+}
+
+void add_poses(Detection& detection, const PoseQuestion& question) {
+  check_question(question, detection.size);
+  if (question.size_m)
+    for (const Sighting& s : detection.sightings)
+      detection.poses.push_back(pose::pose_of(question.camera, s, *question.size_m, question.accuracy));
+  if (!question.layout.empty())
+    detection.plate =
+        pose::pose_of_plate(question.camera, detection.sightings, question.layout, question.accuracy);
+}
+
 }  // namespace
 
 int detect(const DetectArguments& arguments, const Methods& methods) {
@@ -130,6 +169,7 @@ int detect(const DetectArguments& arguments, const Methods& methods) {
   const Options options(entry.name, entry.options, specs[0].options);
   const auto detector = entry.make(options, 1);
   if (arguments.explain) explaining(*detector, entry.name, methods);
+  const auto question = question_of(arguments);
   for (std::size_t i = 0; i < arguments.images.size(); ++i) {
     const std::string name = arguments.images[i].string();
     const cv::Mat picture = read_picture(name);
@@ -137,6 +177,7 @@ int detect(const DetectArguments& arguments, const Methods& methods) {
     if (arguments.explain)
       detection.stages =
           explain_into(numbered(arguments.out, i), picture, explaining(*detector, entry.name, methods));
+    if (question) add_poses(detection, *question);
     arguments.json ? print_json(detection) : print_text(detection);
     if (arguments.draw) write_picture(numbered(*arguments.draw, i), drawn(picture, detection.sightings));
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "cli/catalogue.h"
+#include "cli/combinations.h"
 #include "cli/json_text.h"
 #include "cli/verbs.h"
 
@@ -35,6 +36,8 @@ std::vector<Row> rows(const Methods& methods) {
   std::stable_sort(all.begin(), all.end(), [](const Row& a, const Row& b) {
     return (a.kind == "yardstick") < (b.kind == "yardstick");
   });
+  for (const CombinationInfo& c : combinations())
+    all.push_back({"combined", c.name, fmt::format("{} (of {})", c.sentence, c.takes), c.options});
   return all;
 }
 
@@ -60,7 +63,7 @@ int list(const ListArguments& arguments, const Methods& methods) {
   const auto all = rows(methods);
   if (arguments.json) return print_json(all), 0;
   for (const Row& row : all) {
-    fmt::print("{:<10} {:<9}  {}{}\n", row.name, row.kind, row.sentence,
+    fmt::print("{:<12} {:<9}  {}{}\n", row.name, row.kind, row.sentence,
                row.plugin.empty() ? "" : " (" + row.plugin + ")");
     if (!arguments.verbose) continue;
     for (const OptionInfo& option : row.options)
@@ -68,7 +71,9 @@ int list(const ListArguments& arguments, const Methods& methods) {
                  option.unit.empty() ? "" : " " + option.unit, "", option.sentence);
   }
   if (!arguments.verbose)
-    fmt::print("\n`relock list --verbose` shows their options; give them as NAME(OPTION=VALUE,...)\n");
+    fmt::print(
+        "\n`relock list --verbose` shows their options; give them as NAME(OPTION=VALUE,...), and the methods "
+        "of a combination before them\n");
   return 0;
 }
 

@@ -64,7 +64,7 @@ void check_methods(const SweepPlan& plan, const MapArguments& arguments, const M
   std::set<std::string> names[2];  // trackers, detectors
   for (const MethodSpec& spec : plan.methods) {
     choose(methods, spec);
-    if (!is_yardstick(spec.name)) names[methods.detectors.find(spec.name) ? 1 : 0].insert(spec.text());
+    if (!is_yardstick(spec.name)) names[is_detection(methods, spec) ? 1 : 0].insert(spec.text());
   }
   const auto check = [](const std::set<std::string>& there, const std::optional<std::string>& asked,
                         const char* kind) {

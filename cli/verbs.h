@@ -81,6 +81,9 @@ struct DetectArguments {
   std::optional<std::filesystem::path> draw = {};
   bool explain = false;                     ///< show the stages of the detector's work, too
   std::filesystem::path out = "explained";  ///< folder for them
+  bool pose = false;                        ///< tell poses, too: from the next three
+  std::optional<std::filesystem::path> camera = {}, layout = {};
+  std::optional<double> size_m = {};
 };
 int detect(const DetectArguments& arguments, const Methods& methods);
 
@@ -168,6 +171,7 @@ struct BenchArguments {
   std::string method = "ring";
   std::vector<std::string> only;  ///< rows; empty: all
   std::optional<std::size_t> pictures;
+  bool geometries = false;  ///< compares rings of other widths, and nothing else
   bool even_seeds = false;
   bool full = false;
   int jobs = 1;

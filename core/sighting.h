@@ -39,6 +39,12 @@ struct BlurEstimate {
   friend bool operator==(const BlurEstimate&, const BlurEstimate&) = default;
 };
 
+/// How uncertain a point or a vector is: its covariance, px^2.
+struct Covariance {
+  double xx = 0, xy = 0, yy = 0;
+  friend bool operator==(const Covariance&, const Covariance&) = default;
+};
+
 /// Where a method says a target is, in one picture.
 ///
 /// Coordinates are pixels, pixel centres at integers, x right, y down (core/geometry.h).
@@ -50,6 +56,8 @@ struct Sighting {
   std::optional<TargetId> track = {};     ///< the target being followed; empty for detections
   double confidence = 1.0;                ///< in [0, 1], comparable only within one method
   std::optional<BlurEstimate> blur = {};  ///< empty: not estimated
+  /// Of the centre, and of the blur as a vector; empty: not estimated. No file of results keeps them.
+  std::optional<Covariance> centre_covariance = {}, blur_covariance = {};
   friend bool operator==(const Sighting&, const Sighting&) = default;
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -141,7 +142,58 @@ std::vector<std::string> all_ring_bits(int bits) {
 
 std::string ring_family(int bits) { return fmt::format("ring{}", bits); }
 
-Code code_of(const RingMarker& marker) { return {ring_family(marker.geometry.bits()), marker.bits}; }
+std::string_view to_string(SheetColour colour) {
+  constexpr std::array<std::string_view, kSheetColours> names{"black", "red", "green", "blue"};
+  return names.at(static_cast<std::size_t>(colour));
+}
+
+Reflected reflected_by(SheetColour colour) {
+  switch (colour) {
+    case SheetColour::black:
+      return {};
+    case SheetColour::red:
+      return {.red = 0.5};
+    case SheetColour::green:
+      return {.green = 0.2};  // the eye and the camera see green the most
+    case SheetColour::blue:
+      break;
+  }
+  return {.blue = 0.6};
+}
+
+SheetColour nearest_sheet_colour(const Reflected& seen) {
+  const auto distance = [&](SheetColour colour) {
+    const Reflected is = reflected_by(colour);
+    return std::hypot(seen.red - is.red, seen.green - is.green, seen.blue - is.blue);
+  };
+  SheetColour nearest = SheetColour::black;
+  for (const SheetColour colour : {SheetColour::red, SheetColour::green, SheetColour::blue})
+    if (distance(colour) < distance(nearest)) nearest = colour;
+  return nearest;
+}
+
+RingValue parse_ring_value(std::string_view value) {
+  const std::size_t dash = value.find('-');
+  RingValue parsed{std::string(value.substr(0, dash))};
+  check_ring_bits(parsed.bits);
+  if (dash == std::string_view::npos) return parsed;
+  for (const SheetColour colour : {SheetColour::red, SheetColour::green, SheetColour::blue})
+    if (value.substr(dash + 1) == to_string(colour)) {
+      parsed.sheet = colour;
+      return parsed;
+    }
+  throw Error(fmt::format("no sheet of a ring marker is called \"{}\"; there are red, green and blue",
+                          value.substr(dash + 1)));
+}
+
+std::string to_string(const RingValue& value) {
+  return value.sheet == SheetColour::black ? value.bits
+                                           : fmt::format("{}-{}", value.bits, to_string(value.sheet));
+}
+
+Code code_of(const RingMarker& marker) {
+  return {ring_family(marker.geometry.bits()), to_string(RingValue{marker.bits, marker.sheet})};
+}
 
 std::vector<Annulus> rings_of(const RingMarker& marker) {
   std::vector<Annulus> rings;

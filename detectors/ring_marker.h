@@ -80,10 +80,27 @@ bool equally_wide(const RingGeometry& geometry);
 /// soft_border from 0 to 2.
 void check(const RingGeometry& geometry);
 
+/// What the sheet is printed in; the rings are white on all of them. The colours are saturated and dark: to a camera that
+/// sees grey they are nearly as good as black (docs/ring.md).
+enum class SheetColour : std::uint8_t { black, red, green, blue };
+constexpr int kSheetColours = 4;
+std::string_view to_string(SheetColour colour);
+
+/// How much red, green and blue light something throws back: 0 none, 1 as white paper.
+struct Reflected {
+  double red = 0, green = 0, blue = 0;
+  /// What of it is seen in grey (Rec. 709).
+  double grey() const { return 0.2126 * red + 0.7152 * green + 0.0722 * blue; }
+};
+Reflected reflected_by(SheetColour colour);
+/// The colour that is nearest to what was seen.
+SheetColour nearest_sheet_colour(const Reflected& seen);
+
 /// One marker.
 struct RingMarker {
   RingGeometry geometry;
   std::string bits;  ///< '0' and '1', as many as the geometry has; the last one is nearest to the middle
+  SheetColour sheet = SheetColour::black;  ///< black where the marker is inverted
   friend bool operator==(const RingMarker&, const RingMarker&) = default;
 };
 
@@ -94,14 +111,21 @@ std::vector<std::string> all_ring_bits(int bits);
 
 /// "ring2" for two bits: the family of their codes.
 std::string ring_family(int bits);
-/// What a reader should read on it: {"ring2", "01"}.
+/// What a reader should read on it: {"ring2", "01"}, on a coloured sheet {"ring2", "01-red"}.
 Code code_of(const RingMarker& marker);
+/// The value of such a code taken apart: "01-red". Throws Error when it is none.
+struct RingValue {
+  std::string bits;
+  SheetColour sheet = SheetColour::black;
+};
+RingValue parse_ring_value(std::string_view value);
+std::string to_string(const RingValue& value);
 
 /// The rings that this marker has, innermost first.
 std::vector<Annulus> rings_of(const RingMarker& marker);
 
-/// How much light the ideal print throws back at the radius rho = r/R: 0 black, 1 white, linear in light.
-/// Beyond the sheet there is white paper.
+/// How much light the ideal print throws back at the radius rho = r/R: 0 the sheet, 1 white, linear in light. Beyond the
+/// sheet there is white paper.
 double reflectance(const RingMarker& marker, double rho);
 
 }  // namespace relock

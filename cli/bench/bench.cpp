@@ -22,14 +22,16 @@ std::vector<PrintedTarget> targets_of(const std::string& method, const Options& 
   const auto& values = options.values();
   if (!values.contains("bits") || !values.contains("geometry"))
     throw Error(fmt::format("{} has no options bits and geometry, so it is no detector of rings", method));
-  const auto inverted = values.find("inverted");
+  const auto other = [&](const char* option) {  // that are as they come, unless they are there
+    const auto value = values.find(option);
+    return value == values.end() ? "" : fmt::format(",{}={}", option, value->second);
+  };
   std::string geometry = values.at("geometry");
   std::replace(geometry.begin(), geometry.end(), ',', '/');
   std::vector<PrintedTarget> targets;
   for (const std::string& bits : all_ring_bits(options.whole("bits", 1, kMostRingBits)))
     targets.push_back(print_target(
-        fmt::format("ring(geometry={}{}):{}", geometry,
-                    inverted != values.end() && inverted->second == "true" ? ",inverted=true" : "", bits),
+        fmt::format("ring(geometry={}{}{}):{}", geometry, other("inverted"), other("quiet_zone"), bits),
         0.15));
   return targets;
 }

@@ -8,6 +8,7 @@
 #include "cli/in_parallel.h"
 #include "cli/judged_picture.h"
 #include "core/opencv.h"
+#include "detectors/pose/pose.h"
 
 namespace relock::bench {
 namespace {
@@ -25,17 +26,35 @@ double between_deg(double a_rad, double b_rad) {
   return 180 / std::numbers::pi * std::min(apart, std::numbers::pi - apart);
 }
 
+pose::Camera camera_of(const simulator::Camera& camera) {
+  const Vec2 middle = camera.middle();
+  return {camera.picture, camera.focal_px, camera.focal_px, middle.x, middle.y, {camera.k1, camera.k2}};
+}
+
+/// Of the likeliest pose.
+void judge_pose(const MadePicture& picture, const pose::Camera& camera, double size_m,
+                const Sighting& sighting, Look& look) {
+  const auto poses = pose::pose_of(camera, sighting, size_m);
+  if (poses.empty()) return;
+  const Eigen::Vector3d truth = -picture.pose->normal(), &found = poses.front().normal;
+  const double depth = picture.pose->position.z();
+  look.depth_percent = 100 * std::abs(poses.front().position.z() - depth) / depth;
+  look.normal_deg = 180 / std::numbers::pi * std::atan2(truth.cross(found).norm(), truth.dot(found));
+}
+
 }  // namespace
 
 PictureKind stills(const std::string& name, const simulator::StillPlan& plan,
                    const std::vector<PrintedTarget>& targets, Seeds seeds) {
   simulator::check_stills(plan);
-  return {name, targets, [=, seed = seed_of(name, seeds)](std::size_t rank) {
+  return {name, targets,
+          [=, seed = seed_of(name, seeds)](std::size_t rank) {
             const simulator::Still still = simulator::still(plan, targets, rank, seed);
             MadePicture made{still.pixels, still.shown};
-            if (still.shown) made.truth = still.targets[*still.shown];
+            if (still.shown) made.truth = still.targets[*still.shown], made.pose = still.pose;
             return made;
-          }};
+          },
+          camera_of(plan.camera())};
 }
 
 PictureKind canvas(const std::string& name, double marker_px, double blur_px,
@@ -68,6 +87,7 @@ Look judged(const MadePicture& picture, const PictureKind& kind, const Sightings
   --look.wrong;
   const Sighting& sighting = sightings[static_cast<std::size_t>(judgement.sighting)];
   look.centre_px = norm(sighting.centre - picture.truth.centre(sighting.centre_kind));
+  if (picture.pose && kind.camera) judge_pose(picture, *kind.camera, target.size_m, sighting, look);
   const Vec2 blur = picture.truth.blur.value_or(Vec2{});
   if (const double length = norm(blur); length > 0 && sighting.blur) {
     look.direction_deg = between_deg(sighting.blur->direction_rad, std::atan2(blur.y, blur.x));

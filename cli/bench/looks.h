@@ -9,6 +9,7 @@
 #include "core/detector.h"
 #include "core/printed_target.h"
 #include "core/truth.h"
+#include "detectors/pose/camera.h"
 #include "sequences/simulator/canvas.h"
 #include "sequences/simulator/stills.h"
 
@@ -18,9 +19,10 @@ namespace relock::bench {
 
 /// A picture with what is true of it.
 struct MadePicture {
-  cv::Mat pixels;                         ///< CV_8UC1
-  std::optional<std::size_t> shown = {};  ///< which of the kind's targets; nothing: none
-  TargetTruth truth = {};                 ///< of the one shown
+  cv::Mat pixels;                                 ///< CV_8UC1
+  std::optional<std::size_t> shown = {};          ///< which of the kind's targets; nothing: none
+  TargetTruth truth = {};                         ///< of the one shown
+  std::optional<simulator::SheetPose> pose = {};  ///< of the one shown, where it hangs before a camera
 };
 
 /// Pictures of one kind, as many as are asked for; the same rank, the same picture.
@@ -28,6 +30,7 @@ struct PictureKind {
   std::string name;  ///< "clutter, D 150, blur 65"
   std::vector<PrintedTarget> targets;
   std::function<MadePicture(std::size_t rank)> make;
+  std::optional<pose::Camera> camera = {};  ///< that took them, where one did
 };
 
 /// Which seeds pictures are made from. A detector is tuned on even ones and reported on odd ones.
@@ -47,6 +50,8 @@ struct Look {
   std::optional<double> centre_px = {};       ///< error of the centre, where recognised
   std::optional<double> direction_deg = {};   ///< error of the blur's direction, where it has one and says so
   std::optional<double> length_percent = {};  ///< and of its length
+  std::optional<double> depth_percent = {};   ///< error of the likeliest pose's depth, where the pose is true
+  std::optional<double> normal_deg = {};      ///< and of its normal
 };
 
 Look judged(const MadePicture& picture, const PictureKind& kind, const Sightings& sightings);

@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "cli/bench/times.h"
+#include "cli/bench/violent.h"
+#include "cli/table.h"
 
 namespace relock::bench {
 namespace {
@@ -75,6 +77,20 @@ std::vector<Measured> measure_sizes(Bench& bench) {
         stills(fmt::format("clutter, D 60 to 150 px, tilt to 45 degrees, blur {:g} px", blur),
                clutter_plan({60, 150}, {0, 45}, blur), bench.targets(), bench.settings().seeds);
     all.push_back(recognised("sizes", kind.name, bench.looks(kind, bench.count(kSample, kFull)), goal));
+  }
+  return all;
+}
+
+/// As a sensor blurs: light, and the picture is coded afterwards. The other rows blur coded pictures, as the paper does.
+std::vector<Measured> measure_light(Bench& bench) {
+  std::vector<Measured> all;
+  for (const double blur : {15, 30, 65, 100}) {
+    simulator::StillPlan plan = clutter_plan({150, 150}, {0, 45}, blur);
+    plan.blur_in = simulator::BlurIn::light;
+    const PictureKind kind =
+        stills(fmt::format("clutter, D 150 px, tilt to 45 degrees, blur {:g} px in light", blur), plan,
+               bench.targets(), bench.settings().seeds);
+    all.push_back(recognised("light", kind.name, bench.looks(kind, bench.count(kSample, kFull)), {}));
   }
   return all;
 }
@@ -182,6 +198,42 @@ std::vector<Measured> measure_tilt(Bench& bench) {
           line("clutter", simulator::Backdrop::clutter, at_least(55, 70))};
 }
 
+std::vector<Measured> measure_pose(Bench& bench) {
+  std::vector<Measured> all;
+  for (const double blur : {0, 15, 30}) {
+    const PictureKind kind =
+        stills(fmt::format("clutter, D 60 to 150 px, tilt to 45 degrees, blur {:g} px", blur),
+               clutter_plan({60, 150}, {0, 45}, blur), bench.targets(), bench.settings().seeds);
+    std::vector<double> depths, normals;
+    for (const Look& look : bench.looks(kind, bench.count(kSample, kFull))) {
+      if (look.depth_percent) depths.push_back(*look.depth_percent);
+      if (look.normal_deg) normals.push_back(*look.normal_deg);
+    }
+    all.push_back(median("pose", fmt::format("pose's depth, D 60 to 150 px, blur {:g} px", blur), "%", depths,
+                         at_most(1, .3)));
+    all.push_back(median("pose", fmt::format("pose's normal, D 60 to 150 px, blur {:g} px", blur), "degrees",
+                         normals, at_most(2, .5)));
+  }
+  return all;
+}
+
+/// A coloured sheet is a dark grey one to a detector that looks at grey: what does that cost?
+std::vector<Measured> measure_contrast(Bench& bench) {
+  std::vector<Measured> all;
+  for (const double black : {30, 60, 90, 120, 150}) {
+    simulator::StillPlan plan = clutter_plan({150, 150}, {0, 45}, 65);
+    plan.black = {black, black}, plan.white = {210, 210};
+    const PictureKind kind = stills(
+        fmt::format("clutter, D 150 px, blur 65 px, black at {:g} and white at 210 grey levels", black), plan,
+        bench.targets(), bench.settings().seeds);
+    const auto& looks = bench.looks(kind, bench.count(kSample, kFull));
+    all.push_back(recognised("contrast", kind.name, looks, {}));
+    all.back().detail =
+        fmt::format("centre's median {} px", cell(median("", "", "", centre_errors(looks), {}).value, 3));
+  }
+  return all;
+}
+
 std::vector<Measured> measure_false_positives(Bench& bench) {
   std::size_t pictures = 0;
   double found = 0;
@@ -226,10 +278,14 @@ const std::vector<Row>& rows() {
       {"canvas", "every code before a plain grey", measure_canvas},
       {"clutter", "in clutter by length of the blur", measure_clutter},
       {"sizes", "in clutter, smaller ones too", measure_sizes},
+      {"light", "in clutter, blurred as a camera does", measure_light},
       {"centre", "how exact the centre is", measure_centre},
       {"blur", "how exact the blur is", measure_blur},
+      {"pose", "how exact the pose of one marker is, its size and the camera known", measure_pose},
       {"smallest", "how small a sharp marker may be", measure_smallest},
       {"tilt", "how far a sharp marker may be tilted", measure_tilt},
+      {"contrast", "what a sheet that is not black costs", measure_contrast},
+      {"violent", "bent blur and a rolling shutter", measure_violent},
       {"false-positives", "sightings where there is nothing", measure_false_positives},
       {"wrong-codes", "another code read than there is", measure_wrong_codes},
       {"time", "time of a picture beside aruco's", measure_times},

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "cli/catalogue.h"
-#include "core/nearest.h"
+#include "cli/combinations.h"
 #include "detectors/apriltag.h"
 #include "detectors/aruco.h"
 
@@ -83,15 +83,22 @@ std::optional<MarkerCells> print_of(const std::string& family) {
 
 Subject subject_called(const Methods& methods, const MethodSpec& spec) {
   Subject subject;
-  subject.tracker = methods.trackers.find(spec.name);
-  if (!subject.tracker) subject.detector = methods.detectors.find(spec.name);
+  if (is_tracker_combination(spec.name)) {
+    auto bound = bound_tracker(methods, spec);
+    subject.combined = std::make_shared<const TrackerEntry>(std::move(bound.entry));
+    subject.tracker = subject.combined.get();
+  } else if (is_combination(spec.name)) {
+    throw Error(fmt::format("{} is a whole method: check the tracker and the detector that it is made of",
+                            spec.text()));
+  } else {
+    subject.tracker = methods.trackers.find(spec.name);
+    if (!subject.tracker) subject.detector = methods.detectors.find(spec.name);
+  }
   if (!subject.tracker && !subject.detector) {
     if (is_yardstick(spec.name))
       throw Error(
           fmt::format("{} is no method: it marks an end of the scale, and has nothing to check", spec.name));
-    const auto names = method_names(methods);
-    throw Error(fmt::format("no method is called \"{}\"{}; `relock list` shows all {}", spec.name,
-                            did_you_mean(spec.name, names), names.size()));
+    throw unknown_method(methods, spec.name);
   }
   subject.options = Options(spec.name, subject.option_list(), spec.options);
   subject.text = spec.text();

@@ -15,6 +15,7 @@ namespace relock {
 struct Subject {
   const TrackerEntry* tracker = nullptr;
   const DetectorEntry* detector = nullptr;
+  std::shared_ptr<const TrackerEntry> combined = {};  ///< holds the tracker's entry if it is a combination
   Options options;
   std::string text;                   ///< as it would be typed
   std::optional<std::string> family;  ///< of a code that it reads and whose print relock can draw

@@ -44,9 +44,9 @@ void append(SweepMatrix& sweep, Matrix&& flight) {
   }
 }
 
-MethodClass class_of(const std::string& name, const Methods& methods) {
-  if (is_yardstick(name)) return MethodClass::yardstick;
-  return methods.detectors.find(name) ? MethodClass::detector : MethodClass::tracker;
+MethodClass class_of(const MethodSpec& spec, const Methods& methods) {
+  if (is_yardstick(spec.name)) return MethodClass::yardstick;
+  return is_detection(methods, spec) ? MethodClass::detector : MethodClass::tracker;
 }
 
 template <class Cell>
@@ -110,7 +110,7 @@ MeasuredMap measure(const SweepPlan& plan, const SweepMatrix& sweep, const Metho
   const auto seeds = static_cast<std::size_t>(plan.seeds);
   MeasuredMap map{plan, blur_of_rows(plan, sweep), {}, {}};
   for (const MethodSpec& spec : plan.methods) {
-    map.methods.push_back({spec.text(), class_of(spec.name, methods),
+    map.methods.push_back({spec.text(), class_of(spec, methods),
                            grid(plan, LockedTime{std::vector<double>(seeds), std::vector<double>(seeds)})});
     map.ceilings.push_back(grid(plan, std::optional<double>()));
   }

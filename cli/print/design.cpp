@@ -57,13 +57,14 @@ RingGeometry geometry_of(const NameParts& parts, int bits, const RingLook& look)
 }
 
 Design ring_design(std::string_view name, const NameParts& parts, const RingLook& look) {
-  const std::string bits = parts.value.value_or("");
-  check_ring_bits(bits);
+  const auto [bits, sheet] = parse_ring_value(parts.value.value_or(""));
   const int count = static_cast<int>(bits.size());
   if (parts.family != "ring" && parts.family != ring_family(count))
     throw Error(
         fmt::format("{} has {} bits; write ring:{} or {}:{}", name, count, bits, ring_family(count), bits));
-  const RingMarker marker{.geometry = geometry_of(parts, count, look), .bits = bits};
+  const RingMarker marker{.geometry = geometry_of(parts, count, look), .bits = bits, .sheet = sheet};
+  if (marker.geometry.inverted && sheet != SheetColour::black)
+    throw Error(fmt::format("{}: an inverted marker has a white sheet, and no colour", name));
   return {.name = std::string(name), .code = code_of(marker), .form = marker};
 }
 
@@ -95,9 +96,10 @@ std::string ring_caption(const RingMarker& marker) {
     const Annulus& s = geometry.slots[slot];
     slots.push_back(fmt::format("{}{:.4g}-{:.4g}{}", bit ? "(" : "", s.inner, s.outer, bit ? ")" : ""));
   }
-  const std::string sheet = geometry.inverted ? fmt::format("white to {:.4g}", geometry.quiet_zone)
-                                              : fmt::format("black to {:.4g}, white from {:.4g}",
-                                                            geometry.quiet_zone, geometry.sheet_radius());
+  const std::string sheet = geometry.inverted
+                                ? fmt::format("white to {:.4g}", geometry.quiet_zone)
+                                : fmt::format("{} to {:.4g}, white from {:.4g}", to_string(marker.sheet),
+                                              geometry.quiet_zone, geometry.sheet_radius());
   return fmt::format("rings (bits) r/R {}; {}", fmt::join(slots, " "), sheet);
 }
 

@@ -36,7 +36,7 @@ struct Design {
 };
 
 /// The design that a name stands for:
-/// - "ring:01" or "ring2:01"; "ring(geometry=even,quiet_zone=1.5,soft_border=0.2,inverted=true):01";
+/// - "ring:01" or "ring2:01"; "ring:01-red", on a red, green or blue sheet; "ring(geometry=even,quiet_zone=1.5,soft_border=0.2,inverted=true):01";
 /// - "aruco6x6_250:23", "apriltag36h11:5": codes as the detectors name them;
 /// - "disc": a white disc on a black sheet like the rings'.
 /// Throws Error for a name that is none.

@@ -22,6 +22,13 @@ void set_light(cairo_t* on, double light) {
   cairo_set_source_rgb(on, grey, grey, grey);
 }
 
+/// Of `light` (0 the sheet, 1 white paper) on a sheet of this colour.
+Reflected on_sheet(SheetColour sheet, double light) {
+  const Reflected dark = reflected_by(sheet);
+  const auto mixed = [&](double own) { return own + light * (1 - own); };
+  return {mixed(dark.red), mixed(dark.green), mixed(dark.blue)};
+}
+
 void add_circle(cairo_t* on, Vec2 centre, double radius) {
   if (radius <= 0) return;
   cairo_new_sub_path(on);
@@ -37,8 +44,9 @@ void draw_soft_border(cairo_t* on, const RingMarker& marker, Vec2 centre, double
                           cairo_pattern_destroy);
   for (int step = 0; step <= kBorderSteps; ++step) {
     const double part = static_cast<double>(step) / kBorderSteps;
-    const double grey = coded_of_light(reflectance(marker, inner + part * (outer - inner)));
-    cairo_pattern_add_color_stop_rgb(border.get(), part, grey, grey, grey);
+    const Reflected light = on_sheet(marker.sheet, reflectance(marker, inner + part * (outer - inner)));
+    cairo_pattern_add_color_stop_rgb(border.get(), part, coded_of_light(light.red),
+                                     coded_of_light(light.green), coded_of_light(light.blue));
   }
   cairo_set_source(on, border.get());
   add_circle(on, centre, outer * radius_mm);
@@ -49,7 +57,8 @@ void draw_rings(cairo_t* on, const RingMarker& marker, Vec2 centre, double radiu
   const RingGeometry& geometry = marker.geometry;
   if (!geometry.inverted) {
     draw_soft_border(on, marker, centre, radius_mm);
-    set_light(on, 0);
+    const Reflected dark = reflected_by(marker.sheet);
+    cairo_set_source_rgb(on, coded_of_light(dark.red), coded_of_light(dark.green), coded_of_light(dark.blue));
     add_circle(on, centre, geometry.quiet_zone * radius_mm);
     cairo_fill(on);
   }

@@ -75,7 +75,7 @@ std::string svg_of(const Page& page) {
   return content;
 }
 
-cv::Mat1b dots_of(const Page& page, double dpi) {
+cv::Mat dots_of(const Page& page, double dpi) {
   const double dots_per_mm = dpi / kMmPerInch;
   const double width = std::ceil(page.width_mm * dots_per_mm - 1e-6);
   const double height = std::ceil(page.height_mm * dots_per_mm - 1e-6);
@@ -92,9 +92,12 @@ cv::Mat1b dots_of(const Page& page, double dpi) {
                         cairo_image_surface_get_width(surface.get()),
                         reinterpret_cast<cv::Vec4b*>(cairo_image_surface_get_data(surface.get())),
                         static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get())));
-  cv::Mat1b grey;
-  cv::extractChannel(drawn, grey, 0);  // all three are the same
-  return grey;
+  cv::Mat channels[4], coloured;
+  cv::split(drawn, channels);
+  const auto same = [&](int a, int b) { return cv::norm(channels[a], channels[b], cv::NORM_INF) == 0; };
+  if (same(0, 1) && same(1, 2)) return channels[0];
+  cv::merge(channels, 3, coloured);
+  return coloured;
 }
 
 std::uint32_t crc_of(std::string_view bytes) {  // of PNG, its annex D

@@ -52,12 +52,13 @@ class RoundPrint {
 
 cv::Mat1b picture_of(const RingMarker& marker) {
   const RoundPrint print(marker);
+  const double dark = reflected_by(marker.sheet).grey();
   cv::Mat1b picture(kSidePx, kSidePx);
   constexpr int kHalf = kSidePx / 2;
   for (int y = 0; y < kHalf; ++y)  // a quarter, and its three reflections
     for (int x = 0; x < kHalf; ++x)
       picture(kHalf + y, kHalf + x) = picture(kHalf + y, kHalf - 1 - x) = picture(kHalf - 1 - y, kHalf + x) =
-          picture(kHalf - 1 - y, kHalf - 1 - x) = level(print.light_at(x + 0.5, y + 0.5));
+          picture(kHalf - 1 - y, kHalf - 1 - x) = level(dark + (1 - dark) * print.light_at(x + 0.5, y + 0.5));
   return picture;
 }
 

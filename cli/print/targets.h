@@ -10,6 +10,7 @@ namespace relock {
 /// TargetResolver of the simulator.
 ///
 ///     ring:01, ring(geometry=even):010   circle, size_m is the diameter of the outermost ring
+///     ring:01-red                        on a coloured sheet, as it is seen in grey
 ///     disc                               the same, a white disc on black, without a code
 ///     aruco6x6_250:23, apriltag36h11:5   square, size_m is the side that the detectors report
 ///

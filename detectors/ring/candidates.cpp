@@ -20,7 +20,9 @@ constexpr double kBlurred = 0.3;         // radii: shorter blurs leave the best 
 constexpr double kAlmostAsLike = 0.03;
 constexpr double kRadiusOfManyChords_px = 40, kSmall_px = 17;
 constexpr double kSameRadius = 1.25;
+constexpr double kLongerIsBetter = 0.15;  // likeness per logarithm of the radius
 constexpr std::size_t kMostRadii = 3;
+constexpr double kWorthItself = 0.9;  // likeness of a radius that is a candidate by itself
 
 /// Total order, so that the answer does not depend on the sorting.
 bool better(const Chord& a, const Chord& b) {
@@ -67,6 +69,14 @@ const Chord& in_the_middle(const Chord& best, const std::vector<Chord>& chords) 
   return *middle;
 }
 
+/// Lines lie some px apart. Of a small marker one that misses the middle by as much can still look like one of another
+/// code, but a smaller one: the shorter chord must look clearly better.
+bool more_convincing(const Chord& a, const Chord& b) {
+  if (b.radius_px > kSmall_px) return false;
+  return a.likeness + kLongerIsBetter * std::log(a.radius_px) >
+         b.likeness + kLongerIsBetter * std::log(b.radius_px);
+}
+
 /// Chords of about one radius among those of a candidate.
 struct Radius {
   const Chord* best;
@@ -77,35 +87,43 @@ struct Radius {
   }
 };
 
-/// The best chords of the most convincing radii, kMostRadii at most. `chords`: best first.
-std::vector<Chord> of_convincing_radii(const std::vector<Chord>& chords) {
+/// The most convincing radii, kMostRadii at most. `chords`: best first.
+std::vector<Radius> convincing_radii(const std::vector<Chord>& chords) {
   std::array<Radius, 16> radii{};
   std::size_t count = 0;
   for (const Chord& chord : chords) {
     const auto same = std::find_if(radii.begin(), radii.begin() + count, [&](const Radius& radius) {
-      return chord.radius_px < kSameRadius * radius.best->radius_px &&
+      return chord.code == radius.best->code && chord.radius_px < kSameRadius * radius.best->radius_px &&
              radius.best->radius_px < kSameRadius * chord.radius_px;
     });
-    if (same != radii.begin() + count)
+    if (same != radii.begin() + count) {
       ++same->chords;
-    else if (count < radii.size())
+      if (more_convincing(chord, *same->best)) same->best = &chord;
+    } else if (count < radii.size()) {
       radii[count++] = {&chord, 1};
+    }
   }
   std::stable_sort(radii.begin(), radii.begin() + count,
                    [](const Radius& a, const Radius& b) { return a.score() > b.score(); });
-  std::vector<Chord> best;
-  for (std::size_t i = 0; i < std::min(count, kMostRadii); ++i) best.push_back(*radii[i].best);
-  return best;
+  return {radii.begin(), radii.begin() + std::min(count, kMostRadii)};
 }
 
 /// Likeness first. Profiles of long blurs have little of their own: much clutter is like one of them. Of a small marker
 /// fewer lines see anything, and in two directions only (finder.cpp), which is not held against it.
-double score(const Chord& like, const Candidate& candidate) {
+double score(const Chord& like, const Candidate& candidate, std::size_t chords) {
   const double expected = std::clamp(like.radius_px / kRadiusOfManyChords_px, 0.25, 1.0);
-  const double many = std::log2(static_cast<double>(candidate.chords.size()) / expected + 1);
+  const double many = std::log2(static_cast<double>(chords) / expected + 1);
   const double directions = candidate.directions * (like.radius_px < kSmall_px ? 5 : 1);
   return like.likeness + 0.015 * std::min(5.0, many) + 0.003 * directions -
          0.05 * std::max(0.0, like.blur - 1);
+}
+
+int directions_of(const Candidate& candidate) {
+  std::bitset<32> seen;
+  for (const Chord& chord : candidate.chords)
+    if (chord.code == candidate.best.code && chord.likeness > 0.88)
+      seen.set(static_cast<std::size_t>(chord.direction));
+  return static_cast<int>(seen.count());
 }
 
 }  // namespace
@@ -123,7 +141,7 @@ const std::vector<Candidate>& CandidateGrouper::group(std::vector<Chord>& chords
     else if (candidates_.size() < kMostCandidates)
       fresh(chord).chords.push_back(chord);
   }
-  for (Candidate& candidate : candidates_) rank(candidate);
+  for (std::size_t i = 0, places = candidates_.size(); i < places; ++i) rank(i);
   std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
     return a.score != b.score ? a.score > b.score : better(a.best, b.best);
   });
@@ -143,19 +161,17 @@ Candidate& CandidateGrouper::fresh(const Chord& best) {
   return candidate;
 }
 
-void CandidateGrouper::rank(Candidate& candidate) const {
-  const std::vector<Chord> radii = of_convincing_radii(candidate.chords);
-  const Chord& like = radii.front();
-  candidate.best = in_the_middle(like, candidate.chords);
-  candidate.others.clear();
-  for (std::size_t i = 1; i < radii.size(); ++i)
-    candidate.others.push_back(in_the_middle(radii[i], candidate.chords));
-  std::bitset<32> seen;
-  for (const Chord& chord : candidate.chords)
-    if (chord.code == candidate.best.code && chord.likeness > 0.88)
-      seen.set(static_cast<std::size_t>(chord.direction));
-  candidate.directions = static_cast<int>(seen.count());
-  candidate.score = score(like, candidate);
+void CandidateGrouper::rank(std::size_t candidate) {
+  const std::vector<Radius> radii = convincing_radii(candidates_[candidate].chords);
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    const Chord like = *radii[i].best;
+    if (i > 0 && like.likeness < kWorthItself) continue;
+    if (i > 0) fresh(like).chords = candidates_[candidate].chords;
+    Candidate& here = i == 0 ? candidates_[candidate] : candidates_.back();
+    here.best = in_the_middle(like, here.chords);
+    here.directions = directions_of(here);
+    here.score = score(like, here, i == 0 ? here.chords.size() : static_cast<std::size_t>(radii[i].chords));
+  }
 }
 
 }  // namespace relock::ring

@@ -21,9 +21,7 @@ struct Chord {
 
 /// Chords that agree on where a marker is.
 struct Candidate {
-  Chord best;  ///< of the most convincing radius, the chord most like a marker
-  std::vector<Chord>
-      others;  ///< of other radii, the next convincing first: the best may be an inner ring, or clutter
+  Chord best;                 ///< of the most convincing radius, the chord most like a marker
   std::vector<Chord> chords;  ///< those that agree, the most like a marker first
   double score = 0;           ///< candidates are ordered by it; comparable within one picture only
   int directions = 0;         ///< how many of kLineDirections have a chord with the code of the best
@@ -37,7 +35,9 @@ class CandidateGrouper {
 
  private:
   Candidate& fresh(const Chord& best);
-  void rank(Candidate& candidate) const;
+  /// Ranks it, and appends what it is if another radius is the marker's: the convincing one may be an inner ring, or
+  /// clutter.
+  void rank(std::size_t candidate);
 
   std::vector<Candidate> candidates_, spare_;
 };

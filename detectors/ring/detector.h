@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -45,8 +44,14 @@ class RingDetector final : public ExplainingDetector {
   std::optional<Vec2> look_at_part(const Image& image, const std::optional<Box>& where);
   cv::Mat white_on_black(const Image& image);
   void look_at_best();
-  void look_at_other_radii();
+  std::vector<const Candidate*> chosen_candidates();
   Closely look_closely(const Candidate& candidate);
+  /// In the tone that is asked for, or the one that explains more.
+  std::optional<Reading> read_in_its_tone(const Fit& coarse);
+  /// The picture with grey levels proportional to light; made when it is asked for.
+  const Pyramid& in_light();
+  void refine_markers();
+  void look_at_colours(const Image& image);
   Sightings sightings(Vec2 offset) const;
 
   Stage chords_stage() const;
@@ -57,10 +62,10 @@ class RingDetector final : public ExplainingDetector {
   CandidateFinder finder_;
   Fitter fitter_;
   std::vector<std::string> codes_;
-  Pyramid pyramid_;
-  cv::Mat gray_, negative_;
+  Pyramid pyramid_, light_pyramid_;
+  bool light_is_made_ = false;  // of this picture
+  cv::Mat gray_, negative_, light_, channel_;
   Look look_;
-  std::deque<Candidate> other_radii_;  // of look_.closely; a deque, because it is pointed to
 };
 
 }  // namespace relock::ring

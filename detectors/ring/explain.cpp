@@ -89,12 +89,13 @@ Stage starts_stage(const Look& look, const Closely& closely) {
     cv::line(picture, drawn_at(centre - half), drawn_at(centre + half), colour_of(likeness, 0), 1,
              cv::LINE_AA, kFractionBits);
   }
-  return {"starts",
-          fmt::format("the likeliest {} of {} views from which the fit of one candidate may start: outermost "
-                      "ring and blur; blue is unlike the picture, red like it, here {:.2f} at most",
-                      std::min(closely.starts.size(), kMostDrawn), closely.starts.size(),
-                      closely.starts.empty() ? 0 : closely.starts.front().likeness),
-          picture};
+  return {
+      "starts",
+      fmt::format("the likeliest {} of the views from which the fit of one candidate may start: outermost "
+                  "ring and blur; blue is unlike the picture, red like it, here {:.2f} at most",
+                  std::min(closely.starts.size(), kMostDrawn),
+                  closely.starts.empty() ? 0 : closely.starts.front().likeness),
+      picture};
 }
 
 /// What is lit at each radius: 0 where nothing is, the light of a ring where it is.
@@ -191,9 +192,12 @@ Stage RingDetector::fit_stage(const Closely& closely) {
   const bool read = closely.read.has_value();
   const Fit& fit = read ? closely.read->fit : *closely.coarse;
   const std::size_t code = read ? closely.read->code : closely.candidate->best.code;
-  const double psf_px = read ? closely.read->psf_px : kCoarsePsf_px * (1 << closely.level);
+  const int scale = 1 << closely.level;
+  const double psf_px =
+      read ? closely.read->psf_px : coarse_psf_px(in_larger_pixels(fit.view, scale)) * scale;
   const cv::Rect part = part_around(fit.view, look_.gray);
-  const cv::Mat seen = look_.gray(part);
+  const bool in_its_light = read && closely.read->in_light;
+  const cv::Mat seen = (in_its_light ? in_light().full() : look_.gray)(part);
   const cv::Mat1f predicted = predicted_part(Exposure(model_, code, fit.view, psf_px), fit.light, part);
   cv::Mat1f residual;
   seen.convertTo(residual, CV_32F);
@@ -207,11 +211,13 @@ Stage RingDetector::fit_stage(const Closely& closely) {
   }
   cv::Mat1b side_by_side;
   cv::hconcat(panels, 3, side_by_side);
-  return {"fit",
-          fmt::format("seen, predicted by the {} fit, and four times their difference about grey; it leaves "
-                      "{:.2f} unexplained, radius {:.1f} px, blur {:.1f} px",
-                      read ? "last" : "coarse", fit.misfit, fit.view.radius(), fit.view.blur.norm()),
-          side_by_side};
+  return {
+      "fit",
+      fmt::format("seen{}, predicted by the {} fit, and four times their difference about grey; it leaves "
+                  "{:.2f} unexplained, radius {:.1f} px, blur {:.1f} px",
+                  in_its_light ? " in light" : "", read ? "last" : "coarse", fit.misfit, fit.view.radius(),
+                  fit.view.blur.norm()),
+      side_by_side};
 }
 
 std::vector<Stage> RingDetector::explain(const Image& image, const std::optional<Box>& where) {

@@ -11,26 +11,10 @@ namespace {
 /// Samples lie within this radius: the outermost edge and some black beyond it.
 constexpr double kReach = 1.12;
 constexpr std::size_t kFewest = 40;
-/// Grey levels by which the picture may be off in the black and the white, and beyond the sheet, where the model
-/// knows one level only.
-constexpr float kOwnError = 4, kLeakError = 30;
 /// How strongly a priori a marker is seen without perspective: 1 / (grey level / (v R))^2.
 constexpr double kPerspectivePrior = 1000;
 /// Likewise no leak, 1 / (grey level / grey level)^2.
 constexpr double kLeakPrior = 1;
-
-float weight_of(float leaked) {
-  return kOwnError * kOwnError / (kOwnError * kOwnError + kLeakError * kLeakError * leaked * leaked);
-}
-
-/// Calls `use` with every kBlock samples, or what is left of them.
-template <class Use>
-void in_blocks(const Samples& samples, Use use) {
-  const int all = static_cast<int>(samples.size());
-  for (int from = 0; from < all; from += kBlock)
-    use(&samples.x[static_cast<std::size_t>(from)], &samples.y[static_cast<std::size_t>(from)],
-        &samples.grey[static_cast<std::size_t>(from)], std::min(kBlock, all - from));
-}
 
 /// Whether the window of the exposure of what is at q stays on the sheet, or nearly so where the movement is long.
 double farthest_allowed(const RingModel& model, double movement) {
@@ -114,10 +98,18 @@ Light Fitter::light_of(std::size_t code, const View& view, double psf_px) const 
   return {light[0], light[1], light[2]};
 }
 
+std::optional<Light> Fitter::light_in(const cv::Mat& gray, std::size_t code, const View& view,
+                                      const FitOptions& options) {
+  spread_samples(gray, model_, view, options.pixels, samples_);
+  if (samples_.size() < kFewest) return {};
+  return light_of(code, view, options.psf_px);
+}
+
 Fitter::Equations Fitter::equations(std::size_t code, const View& view, const Light& light,
                                     double psf_px) const {
   const Exposure exposure(model_, code, view, psf_px);
   Equations sums{};
+  float before = 0;  // the residual of the sample before: its neighbour, but where a row begins
   Eigen::Matrix<float, kUnknowns, kUnknowns> normal = decltype(normal)::Zero();
   Eigen::Matrix<float, kUnknowns, 1> right = decltype(right)::Zero();
   in_blocks(samples_, [&](const float* x, const float* y, const float* grey, int n) {
@@ -128,6 +120,7 @@ Fitter::Equations Fitter::equations(std::size_t code, const View& view, const Li
       const float left = grey[i] - is.grey[i], w = weight_of(is.leaked[i]);
       residual[i] = left, weight[i] = w;
       const double wd = w, g = grey[i];
+      sums.neighbours += wd * left * before, before = left;
       sums.squares += wd * left * left, sums.weight += wd, sums.grey += wd * g,
           sums.grey_squares += wd * g * g;
     }
@@ -197,8 +190,12 @@ std::optional<Fit> Fitter::fit(const cv::Mat& gray, std::size_t code, const View
   now = equations(code, view, light, options.psf_px);
   const double spread = now.grey_squares - now.grey * now.grey / now.weight;
   if (!(light.gain > 0) || !(spread > 0) || now.weight < 25) return {};
-  return Fit{view, light, std::sqrt(now.squares / spread), std::sqrt(now.squares / now.weight),
-             static_cast<int>(samples_.size())};
+  return Fit{.view = view,
+             .light = light,
+             .misfit = std::sqrt(now.squares / spread),
+             .structure = std::sqrt(std::max(now.neighbours, 0.0) / spread),
+             .residual = std::sqrt(now.squares / now.weight),
+             .pixels = static_cast<int>(samples_.size())};
 }
 
 std::optional<Fitter::RingLights> Fitter::ring_lights(const cv::Mat& gray, const Fit& fit,

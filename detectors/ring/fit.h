@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <vector>
@@ -24,6 +25,8 @@ struct Fit {
   Light light;
   /// What is left unexplained: the residual's standard deviation over that of the pixels themselves, 0 to 1.
   double misfit = 1;
+  /// The part of the misfit that is no noise: that neighbouring pixels share. Noise alone leaves some .2 of the misfit.
+  double structure = 1;
   double residual = 0;  ///< its standard deviation, grey levels
   int pixels = 0;       ///< that it rests on
 };
@@ -35,6 +38,22 @@ struct Samples {
   std::size_t size() const { return x.size(); }
   void clear() { x.clear(), y.clear(), grey.clear(); }
 };
+
+/// Calls `use` with every kBlock samples, or what is left of them: x, y, grey values and how many.
+template <class Use>
+void in_blocks(const Samples& samples, Use use) {
+  const int all = static_cast<int>(samples.size());
+  for (int from = 0; from < all; from += kBlock)
+    use(&samples.x[static_cast<std::size_t>(from)], &samples.y[static_cast<std::size_t>(from)],
+        &samples.grey[static_cast<std::size_t>(from)], std::min(kBlock, all - from));
+}
+
+/// How much a pixel counts that sees beyond the sheet for this part of its exposure: the picture may be off by some grey
+/// levels in the black and the white, and by many beyond the sheet, where the model knows one level only.
+inline float weight_of(float leaked) {
+  constexpr float kOwnError = 4, kLeakError = 30;
+  return kOwnError * kOwnError / (kOwnError * kOwnError + kLeakError * kLeakError * leaked * leaked);
+}
 
 /// Some `count` pixels, evenly spread over the marker's disc and the beginning of its quiet zone, as far as they
 /// see next to nothing but the sheet during the whole exposure. `samples` is reused.
@@ -49,6 +68,9 @@ class Fitter {
   /// From a view near enough: half a ring in position. `gray` is CV_8UC1. Nothing where too little of the marker
   /// is in the picture or no marker explains it.
   std::optional<Fit> fit(const cv::Mat& gray, std::size_t code, const View& start, const FitOptions& options);
+  /// Brightness of a marker in another picture of it, of whose view is known; `code` and `psf_px` as for `fit`.
+  std::optional<Light> light_in(const cv::Mat& gray, std::size_t code, const View& view,
+                                const FitOptions& options);
   /// How bright each annulus is by itself, in the view of a fit, as parts of what the two rings that are always white
   /// are on average; with the standard error of each.
   struct AnnulusLight {
@@ -68,7 +90,7 @@ class Fitter {
   struct Equations {
     Matrix normal;
     Vector right;
-    double squares = 0, weight = 0, grey = 0, grey_squares = 0;  // weighted sums
+    double squares = 0, neighbours = 0, weight = 0, grey = 0, grey_squares = 0;  // weighted sums
   };
   Equations equations(std::size_t code, const View& view, const Light& light, double psf_px) const;
   Light light_of(std::size_t code, const View& view, double psf_px) const;

@@ -7,7 +7,8 @@
 namespace relock::ring {
 namespace {
 
-constexpr int kPoints = 64, kFewest = 18;
+constexpr int kPoints = 64;
+constexpr double kFewest = 0.28;  // of the points
 constexpr double kReach = 1.1;
 
 /// Vogel's spiral: every point has as much area to itself as any other.
@@ -49,7 +50,8 @@ double partial_correlation(const double* a, const float* b, const float* c, int 
 
 }  // namespace
 
-double likeness(const cv::Mat& gray, RingModel& model, std::size_t code, const View& view, double psf_px) {
+double likeness(const cv::Mat& gray, RingModel& model, std::size_t code, const View& view, double psf_px,
+                std::size_t one_point_of) {
   const Exposure exposure(model, code, view, psf_px);
   const Eigen::Matrix2d spread = view.shape().inverse();
   const Eigen::Vector2d half = 0.5 * view.shape() * view.blur;
@@ -58,14 +60,15 @@ double likeness(const cv::Mat& gray, RingModel& model, std::size_t code, const V
   float x[kPoints], y[kPoints], light[kPoints];
   double grey[kPoints];
   int n = 0;
-  for (const Eigen::Vector2d& q : sunflower()) {
+  for (std::size_t i = 0; i < kPoints; i += one_point_of) {
+    const Eigen::Vector2d& q = sunflower()[i];
     if (std::max((q + half).squaredNorm(), (q - half).squaredNorm()) > allowed * allowed) continue;
     const Eigen::Vector2d d = spread * q;
     const Eigen::Vector2d p = view.centre + d / std::max(0.3, 1 - view.vanishing.dot(d));
     if (!read(gray, p, grey[n])) continue;
     x[n] = static_cast<float>(p.x()), y[n] = static_cast<float>(p.y()), ++n;
   }
-  if (n < kFewest) return -1;
+  if (n * static_cast<double>(one_point_of) < kFewest * kPoints) return -1;
   float leaked[kPoints];
   for (int from = 0; from < n; from += kBlock) {
     exposure.rings(x + from, y + from, std::min(kBlock, n - from), light + from);

@@ -11,6 +11,7 @@ constexpr int kCoarsePixels = 260, kFinePixels = 700, kLightPixels = 300;
 /// Misfit beyond which a second reading is no use.
 constexpr double kHopelessMisfit = 0.6;
 constexpr double kSmallRadius_px = 32;
+constexpr std::array<double, 6> kSharpnesses_px{0.3, 0.42, 0.58, 0.8, 1.1, 1.5};
 
 /// A picture and how much larger its pixels are.
 struct Level {
@@ -56,7 +57,7 @@ std::optional<Fit> with_best_sharpness(const Level& level, Fitter& fitter, std::
   const bool small = fit.view.radius() * level.scale < kSmallRadius_px;
   std::optional<Fit> best;
   double best_psf = psf_px;
-  for (const double psf : {0.3, 0.42, 0.58, 0.8, 1.1, 1.5}) {
+  for (const double psf : kSharpnesses_px) {
     const auto tried =
         fitter.fit(level.gray, code, fit.view,
                    {.pixels = kLightPixels, .steps = small ? 5 : 1, .psf_px = psf, .settled = 0.01});
@@ -64,6 +65,29 @@ std::optional<Fit> with_best_sharpness(const Level& level, Fitter& fitter, std::
   }
   psf_px = best_psf;
   return best;
+}
+
+bool possible_light(const Fitter::RingLights& lights, const Acceptance& acceptance) {
+  return lights.gain >= acceptance.least_gain && lights.offset >= acceptance.least_black &&
+         lights.gain + lights.offset <= acceptance.most_white;
+}
+
+/// Which part of a marker the fit rests on: the rest is beyond the picture's border, or sees mostly what is around.
+double seen_part(const Fit& fit) {
+  const double area = M_PI * fit.view.radius() * fit.view.radius();
+  return std::min(1.0, fit.pixels / std::min<double>(kFinePixels, area));
+}
+
+/// Whether view and code explain the picture. The less of a marker is seen, the better: a few bent edges are soon explained.
+bool explained(const Fit& fit, double doubt, double psf_px, const Acceptance& acceptance) {
+  const double seen = seen_part(fit), blur = fit.view.blur.norm() / fit.view.radius();
+  const double unsharp = psf_px < kSharpnesses_px.back() ? 1 : acceptance.unsharp;
+  const double misfit = fit.misfit / (seen * unsharp * acceptance.most_misfit);
+  const double structure =
+      fit.structure / (seen * (acceptance.most_structure + blur * acceptance.structure_per_blur));
+  const double doubtful = doubt / acceptance.most_doubt;
+  return std::max({misfit, structure, doubtful}) <= 1 &&
+         misfit + structure + doubtful <= 3 * acceptance.most_together;
 }
 
 Fit in_full_picture(Fit fit, int scale) {
@@ -103,9 +127,7 @@ std::optional<Reading> read(const Pyramid& pyramid, Fitter& fitter, const Fit& c
     const bool agreed = !first && now.code == bits.code;
     bits = now;
     if (!agreed) continue;
-    const bool possible_gain = lights->gain >= acceptance.least_gain && lights->gain + lights->offset <= 300;
-    if (!possible_gain || fit.misfit > acceptance.most_misfit || bits.doubt > acceptance.most_doubt)
-      return {};
+    if (!possible_light(*lights, acceptance) || !explained(fit, bits.doubt, psf, acceptance)) return {};
     if (!black_between(*lights, acceptance.most_light_between)) return {};
     return Reading{in_full_picture(fit, level.scale), bits.code, psf * level.scale, bits.doubt, lights->ring};
   }

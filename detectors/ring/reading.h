@@ -11,9 +11,16 @@ namespace relock::ring {
 /// What a reading must be to count.
 struct Acceptance {
   double most_misfit = 0.36;
+  /// Of a sharp marker, and how much more for each radius of blur: what is around the sheet is not one level.
+  double most_structure = 0.12, structure_per_blur = 0.1;
+  /// Of the bound on the misfit where the picture is less sharp than any that is tried.
+  double unsharp = 0.6;
   double most_doubt = 0.07;
-  double most_light_between = 0.15;  ///< rings, in gaps that are told apart
-  double least_gain = 25;            ///< grey levels from black to white
+  /// Misfit, structure and doubt, each in parts of its bound, are this on average at most: clutter may come near all three.
+  double most_together = 0.7;
+  double most_light_between = 0.15;            ///< rings, in gaps that are told apart
+  double least_gain = 25;                      ///< grey levels from black to white
+  double least_black = -15, most_white = 275;  ///< grey levels
 };
 
 /// A marker that was read.
@@ -25,6 +32,9 @@ struct Reading {
   /// each other, bits from black or white.
   double doubt = 1;
   std::vector<Fitter::AnnulusLight> lights;  ///< of each ring, as Fitter::RingLights has them
+  SheetColour sheet = SheetColour::black;    ///< where colours are asked for
+  bool in_light = false;                     ///< read where grey levels are proportional to light
+  std::optional<Covariance> centre_covariance = {}, blur_covariance = {};  ///< px^2, of a refined fit
 };
 
 /// Reads the bits of a marker about whose view `coarse` is right: each ring's own light says whether it is there. Then

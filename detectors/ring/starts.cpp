@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace relock::ring {
 namespace {
@@ -18,6 +19,8 @@ Vector2d across(const Vector2d& v) { return {-v.y(), v.x()}; }
 
 /// A marker whose blur is too short for a chord to show still has some.
 constexpr double kLeastBlur = 0.04;
+/// Up to this radius there may be lines in two directions only (finder.cpp).
+constexpr double kSmall_px = 22;
 
 /// The best chord of each direction that agrees with the best of all on the code, and nearly on the size.
 std::vector<Chord> best_of_directions(const Candidate& candidate) {
@@ -58,6 +61,49 @@ View along_and_across(const Vector2d& centre, double radius, const Vector2d& alo
   return with_diameters(point_of(centre), radius * along, flat * radius * across(along));
 }
 
+/// With sqrt(d' Q d) = 1 for the outline about its middle, Q positive. Nothing if it is not.
+std::optional<View> with_form(const Vector2d& middle, const Matrix2d& form) {
+  Eigen::SelfAdjointEigenSolver<Matrix2d> solver;
+  solver.computeDirect(form);
+  if (!(solver.eigenvalues()(0) > 0)) return {};
+  const Matrix2d axes = solver.eigenvectors() * solver.eigenvalues().cwiseInverse().cwiseSqrt().asDiagonal();
+  return with_diameters(point_of(middle), axes.col(0), axes.col(1));
+}
+
+/// A chord that misses the middle by some of the distance between lines still says well where it is along the line. This
+/// is the point nearest to what all say.
+Vector2d middle_along(const std::vector<Chord>& chords) {
+  Matrix2d normal = Matrix2d::Zero();
+  Vector2d right = Vector2d::Zero();
+  for (const Chord& chord : chords) {
+    const Vector2d d = vector_of(chord.along);
+    normal += d * d.transpose(), right += d * d.dot(vector_of(chord.middle));
+  }
+  return normal.ldlt().solve(right);
+}
+
+/// Of a small marker lines in two directions tell, along x and along y (finder.cpp). Their radii leave open how much the
+/// ellipse leans.
+std::vector<View> from_two_radii(const std::vector<Chord>& chords) {
+  std::vector<View> all;
+  for (const Chord& a : chords)
+    for (const Chord& b : chords) {
+      if (&b <= &a || std::abs(dot(a.along, b.along)) > 0.1) continue;
+      Matrix2d across_and_along;
+      across_and_along << vector_of(a.along), vector_of(b.along);
+      const Matrix2d back = across_and_along.inverse();
+      for (const double lean : {0.0, -0.12, 0.12, -0.3, 0.3}) {
+        Matrix2d form;
+        form << 1 / (a.radius_px * a.radius_px), lean / (a.radius_px * b.radius_px),
+            lean / (a.radius_px * b.radius_px), 1 / (b.radius_px * b.radius_px);
+        if (const auto view = with_form(middle_along({a, b}), back.transpose() * form * back))
+          all.push_back(*view);
+      }
+      return all;
+    }
+  return all;
+}
+
 /// The ellipse whose radii along three or more directions are those of the chords: 1/R^2 = d' Q d is linear in Q.
 /// Not one where they do not make an ellipse.
 std::vector<View> from_radii(const std::vector<Chord>& chords) {
@@ -74,11 +120,8 @@ std::vector<View> from_radii(const std::vector<Chord>& chords) {
   }
   normal.diagonal().array() += 1e-6 * normal.trace();
   const Eigen::Vector3d q = normal.ldlt().solve(right);
-  Eigen::SelfAdjointEigenSolver<Matrix2d> solver;
-  solver.computeDirect((Matrix2d() << q[0], q[1], q[1], q[2]).finished());
-  if (!(solver.eigenvalues()(0) > 0)) return {};
-  const Matrix2d axes = solver.eigenvectors() * solver.eigenvalues().cwiseInverse().cwiseSqrt().asDiagonal();
-  return {with_diameters(point_of(middle), axes.col(0), axes.col(1))};
+  const auto view = with_form(middle, (Matrix2d() << q[0], q[1], q[1], q[2]).finished());
+  return view ? std::vector{*view} : std::vector<View>{};
 }
 
 /// Tilted markers are nearer on one side: for each view, which way and how much, of what its foreshortening allows.
@@ -88,7 +131,7 @@ std::vector<View> with_perspective(const std::vector<View>& views, double focal_
     Eigen::SelfAdjointEigenSolver<Matrix2d> solver;
     solver.computeDirect(view.shape());
     const double flat = solver.eigenvalues()(0) / solver.eigenvalues()(1);  // cosine of the tilt
-    if (flat > 0.9 || flat < 0.12) continue;
+    if (flat > 0.96 || flat < 0.12) continue;
     const Vector2d away = solver.eigenvectors().col(1);  // along the shorter axis
     const double full = std::sqrt(1 / (flat * flat) - 1) / focal_px;
     for (const double part : {-1.2, -0.6, 0.6, 1.2}) {
@@ -171,8 +214,7 @@ LocalBlur local_blur(const cv::Mat& gray, const Vector2d& centre, double radius)
   return {across({std::cos(strongest), std::sin(strongest)}), std::hypot(xx - yy, 2 * xy) / (xx + yy + 1e-6)};
 }
 
-std::vector<View> starts(const Candidate& candidate, const std::vector<Chord>& all_chords,
-                         const LocalBlur& local_blur, double focal_px) {
+std::vector<View> plain_starts(const Candidate& candidate, const std::vector<Chord>& all_chords) {
   const Chord& best = candidate.best;
   const Vector2d along = vector_of(best.along), middle = vector_of(best.middle),
                  similar = middle_of_similar(best, all_chords);
@@ -186,6 +228,11 @@ std::vector<View> starts(const Candidate& candidate, const std::vector<Chord>& a
     if (best.blur > 0.1) view.blur = best.blur * best.radius_px * across(along);
     plain.push_back(view);
   }
+  if (best.radius_px < kSmall_px)
+    for (View view : from_two_radii(chords)) {
+      view.blur = {least, least / 2};
+      plain.push_back(view);
+    }
   for (const double flat : {1.0, 1.7, 0.6}) {
     const double blur = std::max(best.blur * best.radius_px * std::min(1.0, 1.25 / flat) * flat, least);
     for (const double askew : {0.0, best.misalignment_rad, -best.misalignment_rad}) {
@@ -195,11 +242,20 @@ std::vector<View> starts(const Candidate& candidate, const std::vector<Chord>& a
       if (best.misalignment_rad == 0) break;
     }
   }
+  return plain;
+}
+
+std::vector<View> starts(const Candidate& candidate, const std::vector<Chord>& all_chords,
+                         const LocalBlur& local_blur, double focal_px) {
+  const Chord& best = candidate.best;
+  const std::size_t directions = best_of_directions(candidate).size();
+  const std::vector<View> plain = plain_starts(candidate, all_chords);
   std::vector<View> all = plain;
   const auto add = [&](const std::vector<View>& more) { all.insert(all.end(), more.begin(), more.end()); };
-  if (best.blur < 0.5 && chords.size() >= 3) add(with_perspective(plain, focal_px));
-  if (best.blur < 0.3 && chords.size() < 5 && best.likeness > 0.93) add(tilted_about(best, focal_px));
+  if (best.blur < 0.9 && directions >= 3) add(with_perspective(plain, focal_px));
+  if (best.blur < 0.3 && directions < 5 && best.likeness > 0.93) add(tilted_about(best, focal_px));
   if (best.blur > 0.1 || local_blur.coherence > 0.2) {
+    const Vector2d middle = vector_of(best.middle), similar = middle_of_similar(best, all_chords);
     const Vector2d along_blur = 0.25 * std::max(best.blur, 0.3) * best.radius_px * local_blur.direction;
     add(blurred_along(best, local_blur.direction,
                       {middle, similar, similar - along_blur, similar + along_blur}));

@@ -31,9 +31,12 @@ void write_album(const fs::path& folder, const Album& album) {
     recording.truth.insert(recording.truth.end(), page.truth.begin(), page.truth.end());
   }
   write_truth(draft.path(), recording);
-  if (!album.plan_text.empty())
-    write_bytes(draft.path() / album.plan_name,
-                {reinterpret_cast<const std::uint8_t*>(album.plan_text.data()), album.plan_text.size()});
+  const auto write_beside = [&](const std::string& name, const std::string& text) {
+    if (!text.empty())
+      write_bytes(draft.path() / name, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  };
+  write_beside(album.plan_name, album.plan_text);
+  write_beside("camera.yaml", album.calibration_text);
   draft.put_in_place();
 }
 

@@ -26,6 +26,7 @@ struct Album {
   std::string plan_name =
       {};  ///< a file beside the pictures that holds `plan_text`; without a text there is none
   std::string plan_text = {};
+  std::string calibration_text = {};  ///< kept as camera.yaml; empty: none
 };
 
 /// Writes an album as a recording that open_sequence reads, at 30 Hz, named as the folder is; pictures are PNG.

@@ -73,6 +73,20 @@ Eigen::Vector2d normalised(const Camera& camera, Vec2 pixel) {
   return {scale * off.x, scale * off.y};
 }
 
+std::string calibration_text(const Camera& camera) {
+  const auto matrix = [](int rows, int cols, std::string_view data) {
+    return fmt::format("!!opencv-matrix\n   rows: {}\n   cols: {}\n   dt: d\n   data: [ {} ]\n", rows, cols,
+                       data);
+  };
+  const Vec2 middle = camera.middle();
+  return fmt::format(
+      "%YAML:1.0\n---\nimage_width: {}\nimage_height: {}\ncamera_matrix: {}distortion_coefficients: {}",
+      camera.picture.width, camera.picture.height,
+      matrix(3, 3,
+             fmt::format("{0}, 0., {1}, 0., {0}, {2}, 0., 0., 1.", camera.focal_px, middle.x, middle.y)),
+      matrix(5, 1, fmt::format("{}, {}, 0., 0., 0.", camera.k1, camera.k2)));
+}
+
 Pose between(const Pose& a, const Pose& b, double share) {
   Pose pose;
   pose.position = a.position + share * (b.position - a.position);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <optional>
+#include <string>
 
 #include "core/geometry.h"
 
@@ -30,6 +31,9 @@ std::optional<Vec2> project(const Camera& camera, const Eigen::Vector3d& point);
 
 /// The normalised place (x, y) that is seen at a pixel: the inverse of `project`.
 Eigen::Vector2d normalised(const Camera& camera, Vec2 pixel);
+
+/// The camera as a calibration file of OpenCV's (YAML): what a recording has as camera.yaml.
+std::string calibration_text(const Camera& camera);
 
 /// Where the camera is and how it looks, in the world (scene.h).
 struct Pose {

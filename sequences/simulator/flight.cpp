@@ -205,7 +205,7 @@ FlightSummary fly(const FlightPlan& plan, const TargetResolver& target_of, const
   recording.picture = camera.picture;
   recording.period = period_of(plan.camera.rate_hz);
   recording.targets = targets_of(scene);
-  writer.finish(recording, flight_plan_text(plan));
+  writer.finish(recording, flight_plan_text(plan), calibration_text(camera_of(plan.camera)));
   return summary;
 }
 

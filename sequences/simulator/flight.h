@@ -31,6 +31,7 @@ std::int64_t frames_of(const FlightPlan& plan);
 ///   images/000000.jpg (or .png), timestamps.csv, labels.csv, recording.toml   as any recording (sequences/image_folder.h)
 ///   truth.csv                      what labels.csv has no columns for, frame by frame and target by target
 ///   flight.toml                    the plan, every quantity stated
+///   camera.yaml                    the camera as a calibration file of OpenCV's
 ///
 /// Memory does not depend on the flight's length, but for 16 bytes a frame. Throws Error on a plan that cannot be flown, a
 /// folder that cannot be written, a full disk.

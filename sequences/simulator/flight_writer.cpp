@@ -64,9 +64,13 @@ void FlightWriter::check_tables() const {
     throw Error(fmt::format("tables in {} cannot be written; is the disk full?", draft_.path().string()));
 }
 
-void FlightWriter::finish(const Recording& recording, const std::string& plan) {
-  write_bytes(draft_.path() / "flight.toml",
-              {reinterpret_cast<const std::uint8_t*>(plan.data()), plan.size()});
+void FlightWriter::finish(const Recording& recording, const std::string& plan,
+                          const std::string& calibration) {
+  const auto write_beside = [&](const char* name, const std::string& text) {
+    write_bytes(draft_.path() / name, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  };
+  write_beside("flight.toml", plan);
+  write_beside("camera.yaml", calibration);
   times_.flush(), labels_.flush(), truth_.flush();
   check_tables();
   write_description(draft_.path(), recording);

@@ -32,7 +32,7 @@ class FlightWriter {
   /// The next frame's rows in the tables.
   void add(const FlownFrame& frame);
   /// The rest, and the draft becomes the recording. `recording`: name, picture, period, targets.
-  void finish(const Recording& recording, const std::string& plan);
+  void finish(const Recording& recording, const std::string& plan, const std::string& calibration);
 
  private:
   std::string name_of(FrameIndex frame) const;

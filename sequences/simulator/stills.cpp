@@ -203,7 +203,11 @@ void write_stills(const std::filesystem::path& folder, const StillPlan& plan,
                   std::span<const PrintedTarget> targets, std::size_t count, std::uint64_t seed,
                   const std::string& plan_text) {
   check_stills(plan);
-  Album album{.picture = plan.picture, .pages = count, .plan_name = "stills.toml", .plan_text = plan_text};
+  Album album{.picture = plan.picture,
+              .pages = count,
+              .plan_name = "stills.toml",
+              .plan_text = plan_text,
+              .calibration_text = calibration_text(plan.camera())};
   for (const PrintedTarget& target : targets) {
     check_sheet(target);
     for (const Target& other : album.targets)

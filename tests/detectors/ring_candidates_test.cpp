@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
@@ -153,6 +154,37 @@ TEST(RingCandidates, AMovingMarkerThatTouchesThePicturesEdgeIsFound) {
   ASSERT_FALSE(found.empty());
   EXPECT_LT(norm(found.front().best.middle - ring.centre), 15);
   EXPECT_NEAR(found.front().best.radius_px, 60, 4);
+}
+
+// Lines through it that begin and end in what is around are symmetric, too, and of a larger marker.
+TEST(RingCandidates, ASmallMarkerBetweenWhatLooksLikeALargerOneIsOne) {
+  cv::Mat1b picture(240, 320, std::uint8_t{40});
+  for (const int radius : {40, 58}) cv::circle(picture, {150, 118}, radius, 200, 7, cv::LINE_AA);
+  const RingMarker marker{paper_ring_geometry(), "01"};
+  const DrawnRing ring{{153.3, 116.6}, 11};
+  draw(picture, marker, ring);
+  const auto found = candidates(with_noise(picture, 2, 1));
+  EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Candidate& candidate) {
+    return norm(candidate.best.middle - ring.centre) < 2 && std::abs(candidate.best.radius_px - 11) < 1.5 &&
+           candidate.best.code == 1;
+  }));
+}
+
+// A line beside the middle of a small marker misses its inner rings: a shorter chord of another code.
+TEST(RingCandidates, ASmallMarkersLongestChordSaysItsCode) {
+  for (const std::string& bits : all_ring_bits(2))
+    for (const double shift : {0.0, 0.5, 1.0, 1.5}) {
+      const RingMarker marker{even_ring_geometry(2), bits};
+      const DrawnRing ring{{150 + shift, 118.3 - 0.7 * shift}, 12};
+      const auto found = candidates(with_noise(drawn(marker, ring), 2, 1), marker.geometry);
+      EXPECT_TRUE(std::any_of(found.begin(),
+                              found.begin() + std::min<std::ptrdiff_t>(found.end() - found.begin(), 3),
+                              [&](const Candidate& candidate) {
+                                return all_ring_bits(2)[candidate.best.code] == bits &&
+                                       norm(candidate.best.middle - ring.centre) < 2;
+                              }))
+          << bits << " " << shift;
+    }
 }
 
 TEST(RingCandidates, AreNoneInPicturesTooSmallForAny) {

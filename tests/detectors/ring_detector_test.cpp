@@ -108,6 +108,31 @@ const Change kChanges[] = {
      [](Vec2 v, const cv::Mat1b& p) {
        return Vec2{p.rows - 1 - v.y, v.x};
      }},
+    {"turned by 270 degrees",
+     [](const cv::Mat1b& p) {
+       cv::Mat1b q;
+       cv::rotate(p, q, cv::ROTATE_90_COUNTERCLOCKWISE);
+       return q;
+     },
+     [](Vec2 v, const cv::Mat1b& p) {
+       return Vec2{v.y, p.cols - 1 - v.x};
+     }},
+    {"upside down",
+     [](const cv::Mat1b& p) {
+       cv::Mat1b q;
+       cv::rotate(p, q, cv::ROTATE_180);
+       return q;
+     },
+     [](Vec2 v, const cv::Mat1b& p) {
+       return Vec2{p.cols - 1 - v.x, p.rows - 1 - v.y};
+     }},
+    {"brighter",
+     [](const cv::Mat1b& p) {
+       cv::Mat1b q;
+       p.convertTo(q, -1, 1.15, 0);
+       return q;
+     },
+     [](Vec2 v, const cv::Mat1b&) { return v; }},
     {"of less contrast",
      [](const cv::Mat1b& p) {
        cv::Mat1b q;
@@ -131,6 +156,43 @@ TEST(RingDetector, SeesTheSameMarkerInATransposedMirroredTurnedOrDimmerPicture) 
           << change.name << " " << norm(blur);
     }
   }
+}
+
+TEST(RingDetector, DoesNotTellWhetherTheExposureRanForwardsOrBackwards) {
+  const auto detector = ring_detector({});
+  for (const Vec2 blur : {Vec2{26, 15}, Vec2{-20, 45}}) {
+    const auto forwards = detector->detect(view(drawn("01", blur)));
+    const auto backwards = detector->detect(view(drawn("01", -1 * blur)));
+    ASSERT_EQ(codes(forwards), Codes{"ring2:01"});
+    ASSERT_EQ(codes(backwards), Codes{"ring2:01"});
+    EXPECT_LT(norm(forwards[0].centre - backwards[0].centre), 0.05);
+    EXPECT_NEAR(forwards[0].blur->direction_rad, backwards[0].blur->direction_rad, 0.005);
+    EXPECT_NEAR(forwards[0].blur->length_px, backwards[0].blur->length_px, 0.1);
+  }
+}
+
+TEST(RingDetector, ReadsSmallMarkersWhereverTheirPixelsFall) {
+  for (const std::string geometry : {"paper", "even"}) {
+    const auto detector = ring_detector({.geometry = geometry});
+    for (const std::string& bits : all_ring_bits(2))
+      for (const double shift : {0.0, 0.25, 0.5, 0.75, 1.25}) {
+        const Vec2 centre{40 + shift, 41.3 - 0.8 * shift};
+        const auto found =
+            detector->detect(view(drawn({ring_geometry(geometry, 2), bits}, {centre, 12}, {80, 84})));
+        ASSERT_EQ(codes(found), Codes{"ring2:" + bits}) << geometry << " " << shift;
+        EXPECT_LT(norm(found[0].centre - centre), 0.1) << geometry << " " << shift;
+      }
+  }
+}
+
+TEST(RingDetector, ReadsMarkersOfWhichAPartIsOutOfThePicture) {
+  const auto detector = ring_detector({});
+  for (const std::string& bits : all_ring_bits(2))
+    for (const Vec2 blur : {Vec2{0, 0}, Vec2{10, 25}}) {
+      const auto found = detector->detect(view(drawn({paper_ring_geometry(), bits}, {{36.3, 82}, 45, blur})));
+      ASSERT_EQ(codes(found), Codes{"ring2:" + bits}) << norm(blur);
+      EXPECT_LT(norm(found[0].centre - Vec2{36.3, 82}), 0.3) << norm(blur);
+    }
 }
 
 TEST(RingDetector, ReadsTiltedMarkersInPerspective) {

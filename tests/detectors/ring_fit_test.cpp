@@ -161,5 +161,22 @@ TEST(RingFit, LooksAtAboutAsManyPixelsAsItIsToldWithinTheMarkerAndThePicture) {
   }
 }
 
+TEST(RingFit, TellsStructureFromNoiseInWhatItLeaves) {
+  RingModel model(even_ring_geometry(2));
+  Fitter fitter(model);
+  const View truth = tilted(0);
+  const cv::Mat1b noisy = predicted(model, 2, truth, 9);
+  cv::Mat1b shaded = predicted(model, 2, truth, 1);
+  for (int y = 0; y < shaded.rows; ++y)
+    for (int x = 0; x < shaded.cols; ++x)
+      shaded(y, x) =
+          cv::saturate_cast<std::uint8_t>(shaded(y, x) + 20 * std::sin(0.3 * x) * std::sin(0.25 * y));
+  const auto noise = fitter.fit(noisy, 2, beside(truth), kFine);
+  const auto structure = fitter.fit(shaded, 2, beside(truth), kFine);
+  ASSERT_TRUE(noise && structure);
+  EXPECT_LT(noise->structure, 0.4 * noise->misfit);
+  EXPECT_GT(structure->structure, 0.6 * structure->misfit);
+}
+
 }  // namespace
 }  // namespace relock::ring

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "tests/detectors/drawn_ring.h"
 #include "tests/detectors/drawn_rings.h"
 
@@ -54,6 +56,32 @@ TEST(RingReading, IsNoneWhenItIsNotGoodEnough) {
   EXPECT_FALSE(read(pyramid, fitter, nearly(), {.most_misfit = 0.9 * reading->fit.misfit}));
   EXPECT_FALSE(read(pyramid, fitter, nearly(), {.most_doubt = 0.9 * reading->doubt}));
   EXPECT_FALSE(read(pyramid, fitter, nearly(), {.least_gain = 250}));
+  EXPECT_FALSE(read(pyramid, fitter, nearly(), {.most_structure = 0, .structure_per_blur = 0}));
+  EXPECT_FALSE(read(pyramid, fitter, nearly(), {.most_together = 0.01}));
+  EXPECT_FALSE(read(pyramid, fitter, nearly(), {.least_black = 60}));
+  EXPECT_FALSE(read(pyramid, fitter, nearly(), {.most_white = 150}));
+}
+
+// A few bent edges at the picture's border are soon explained as part of a marker.
+TEST(RingReading, OfAMarkerThatIsMostlyOutOfThePictureMustExplainMore) {
+  RingModel model(paper_ring_geometry());
+  Fitter fitter(model);
+  const cv::Mat1b whole = drawn("10");
+  const auto misfit_of = [&](int rows) {
+    Pyramid pyramid;
+    pyramid.build(whole.rowRange(0, rows));
+    const auto reading = read(pyramid, fitter, nearly(), {});
+    return reading ? std::optional(reading->fit.misfit) : std::nullopt;
+  };
+  const auto read_at_most = [&](int rows, double most_misfit) {
+    Pyramid pyramid;
+    pyramid.build(whole.rowRange(0, rows));
+    return read(pyramid, fitter, nearly(), {.most_misfit = most_misfit}).has_value();
+  };
+  const auto misfit = misfit_of(130), of_all = misfit_of(240);
+  ASSERT_TRUE(misfit && of_all);
+  EXPECT_TRUE(read_at_most(240, 1.1 * *of_all));
+  EXPECT_FALSE(read_at_most(130, 1.1 * *misfit));
 }
 
 TEST(RingReading, IsNoneWhereThereIsNoMarker) {

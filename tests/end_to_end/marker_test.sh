@@ -91,4 +91,12 @@ expect "disk full: no file" "" "$(find "$work" -name '*bad*')"
 said=$(marker ring:01 --size 50mm -o "$work/good.pdf" 2>&1 >/dev/full)
 expect "full where it reports to: exit status" 2 $?
 expect_contains "full where it reports to" "the output cannot be written" "$said"
+
+# A coloured sheet is printed in its colour, and told from a black one.
+"$relock" marker ring:01-red,ring:01-blue --size 40mm --dpi 100 -o "$work/colour.png" >/dev/null
+expect "coloured sheets are printed" 0 $?
+for file in "$work"/colour*.png; do "$relock" detect "$file" --method "ring(colours=true)" | grep -o 'ring2:[^ ]*'; done >"$work/read"
+expect "and read" "ring2:01-blue ring2:01-red" "$(sort "$work/read" | tr '\n' ' ' | sed 's/ $//')"
+expect_mistake marker "a colour that is none" "red, green and blue" ring:01-pink --size 40mm -o "$work/pink.png"
+expect_mistake marker "a coloured inverted marker" "no colour" "ring(inverted=true):01-red" --size 40mm -o "$work/pink.png"
 finish

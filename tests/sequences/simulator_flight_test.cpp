@@ -56,7 +56,7 @@ TEST(Flight, IsTheSameForAnyNumberOfJobsAndAgainFromItsOwnPlan) {
   fly(plan, square, scratch.path() / "a/flight", {.jobs = 1});
   fly(plan, square, scratch.path() / "b/flight", {.jobs = 3});
   const auto first = files_in(scratch.path() / "a/flight");
-  EXPECT_EQ(first.size(), 12 + 5);
+  EXPECT_EQ(first.size(), 12 + 6);
   EXPECT_EQ(first, files_in(scratch.path() / "b/flight"));
   fly(read_flight_plan(scratch.path() / "a/flight/flight.toml"), square, scratch.path() / "c/flight");
   EXPECT_EQ(first, files_in(scratch.path() / "c/flight"));
