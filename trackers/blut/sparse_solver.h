@@ -1,6 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
+
+#include "trackers/blut/newton_steps.h"
 
 namespace relock::blut {
 
@@ -68,7 +71,7 @@ class SparseSolver {
   void replace(Eigen::Index column, const Eigen::Ref<const Eigen::VectorXf>& look);
   void set_weights(const Eigen::VectorXf& weights);
 
-  Eigen::Index pixels() const { return dictionary_.rows(); }
+  Eigen::Index pixels() const { return pixels_; }
   Eigen::Index templates() const { return dictionary_.cols(); }
 
   /// A lower bound of the squared residual of any solution, for each look (a column): what the templates cannot
@@ -87,13 +90,26 @@ class SparseSolver {
                           const Eigen::Ref<const Eigen::VectorXf>& coefficients) const;
 
  private:
-  void prepare_bound();
+  void check_size(Eigen::Index pixels) const;
+  void find_basis();
+  void start(const Eigen::Ref<const Eigen::VectorXf>& look, Eigen::VectorXf& coefficients);
+  void find_gradient();
+  void choose_templates(const Eigen::VectorXf& coefficients);
 
+  SolverOptions options_;
+  RobustLoss loss_;
+  Eigen::Index pixels_;
   Eigen::MatrixXf dictionary_;
   Eigen::VectorXf weights_;
-  SolverOptions options_;
-  Eigen::MatrixXf gram_;   // D'D
-  Eigen::MatrixXf basis_;  // Q
+  Eigen::MatrixXf basis_;  // Q; its first basis_size_ columns
+  Eigen::Index basis_size_ = 0;
+  NewtonSteps steps_;
+
+  // Of the look that is being solved.
+  Eigen::ArrayXf residual_, slopes_;
+  Eigen::VectorXf gradient_;
+  std::vector<Eigen::Index> chosen_;
+  Solution one_;
 };
 
 }  // namespace relock::blut

@@ -1,0 +1,162 @@
+#include "trackers/blut/newton_steps.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+namespace relock::blut {
+namespace {
+
+/// Added to the Hessian's diagonal (columns have length 1): templates that are the same, or fewer pixels up to the knee
+/// than templates, would make it singular. It slows the last steps down and does not move the minimum.
+constexpr float kDamping = 1e-6F;
+
+/// A step is long enough when F's slope along it has fallen to this part.
+constexpr float kSlopeLeft = 0.1F;
+
+}  // namespace
+
+NewtonSteps::NewtonSteps(Eigen::Index pixels, Eigen::Index templates, const RobustLoss& loss)
+    : loss_(loss),
+      templates_(pixels, templates),
+      bent_(pixels, templates),
+      weights_(templates),
+      coefficients_(templates),
+      gradient_(templates),
+      target_(templates),
+      change_(templates),
+      hessian_(templates, templates),
+      factor_(templates, templates),
+      free_target_(templates),
+      slopes_(pixels),
+      curvature_(pixels),
+      direction_(pixels) {
+  free_.reserve(static_cast<std::size_t>(templates));
+}
+
+void NewtonSteps::run(const Eigen::MatrixXf& dictionary, const Eigen::VectorXf& weights,
+                      const std::vector<Eigen::Index>& chosen, int most, float tolerance,
+                      Eigen::ArrayXf& residual, Eigen::VectorXf& coefficients) {
+  count_ = static_cast<Eigen::Index>(chosen.size());
+  for (Eigen::Index i = 0; i < count_; ++i) {
+    const Eigen::Index column = chosen[static_cast<std::size_t>(i)];
+    templates_.col(i) = dictionary.col(column);
+    weights_(i) = weights(column);
+    coefficients_(i) = coefficients(column);
+  }
+  for (int step = 0; step < most && find_gradient(residual) > tolerance; ++step) {
+    find_hessian(residual);
+    find_target();
+    if (!move(residual)) break;
+  }
+  for (Eigen::Index i = 0; i < count_; ++i)
+    coefficients(chosen[static_cast<std::size_t>(i)]) = coefficients_(i);
+}
+
+/// Returns the largest violation.
+float NewtonSteps::find_gradient(const Eigen::ArrayXf& residual) {
+  slopes_ = loss_.slope(residual);
+  gradient_.head(count_) = weights_.head(count_);
+  gradient_.head(count_).noalias() -= templates_.leftCols(count_).transpose() * slopes_.matrix();
+  float worst = 0;
+  for (Eigen::Index i = 0; i < count_; ++i)
+    worst = std::max(worst, kkt_residual(coefficients_(i), gradient_(i)));
+  return worst;
+}
+
+/// Of the coefficients that are free to change: those above 0, and those at 0 that would grow.
+void NewtonSteps::find_hessian(const Eigen::ArrayXf& residual) {
+  loss_.curvature(residual, curvature_);
+  free_.clear();
+  for (Eigen::Index i = 0; i < count_; ++i) {
+    if (coefficients_(i) <= 0 && gradient_(i) >= 0) continue;
+    free_.push_back(i);
+    bent_.col(i).array() = templates_.col(i).array() * curvature_;
+    for (const Eigen::Index k : free_) hessian_(i, k) = hessian_(k, i) = bent_.col(i).dot(templates_.col(k));
+    hessian_(i, i) += kDamping;
+  }
+}
+
+/// Minimum of the quadratic under c >= 0, free_ holding in the end those that are not stopped at 0.
+void NewtonSteps::find_target() {
+  target_.head(count_) = coefficients_.head(count_);
+  while (!free_.empty()) {
+    solve_free();
+    float share = 1;  // of the way to the minimum of the quadratic, until one would be negative
+    std::size_t blocking = free_.size();
+    for (std::size_t k = 0; k < free_.size(); ++k) {
+      const float from = target_(free_[k]), to = free_target_(static_cast<Eigen::Index>(k));
+      if (to > 0) continue;
+      const float possible = from > 0 ? from / (from - to) : 0;
+      if (blocking == free_.size() || possible < share) {
+        share = possible;
+        blocking = k;
+      }
+    }
+    for (std::size_t k = 0; k < free_.size(); ++k)
+      target_(free_[k]) += share * (free_target_(static_cast<Eigen::Index>(k)) - target_(free_[k]));
+    if (blocking == free_.size()) return;
+    target_(free_[blocking]) = 0;
+    free_.erase(free_.begin() + static_cast<std::ptrdiff_t>(blocking));
+  }
+}
+
+/// Minimum of the quadratic over the free coefficients, wherever it is, the others being at their targets.
+void NewtonSteps::solve_free() {
+  const auto count = static_cast<Eigen::Index>(free_.size());
+  change_.head(count_) = target_.head(count_) - coefficients_.head(count_);
+  for (const Eigen::Index i : free_) change_(i) = 0;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Eigen::Index i = free_[static_cast<std::size_t>(k)];
+    float slope = gradient_(i);
+    for (Eigen::Index other = 0; other < count_; ++other)
+      if (change_(other) != 0) slope += hessian_(i, other) * change_(other);
+    free_target_(k) = -slope;
+    for (Eigen::Index m = 0; m <= k; ++m) factor_(k, m) = hessian_(i, free_[static_cast<std::size_t>(m)]);
+  }
+  Eigen::Ref<Eigen::MatrixXf> matrix = factor_.topLeftCorner(count, count);
+  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXf>> factor(matrix);  // in place
+  auto solution = free_target_.head(count);
+  factor.solveInPlace(solution);
+  for (Eigen::Index k = 0; k < count; ++k)
+    free_target_(k) += coefficients_(free_[static_cast<std::size_t>(k)]);
+}
+
+/// False when F does not fall towards the target by what numbers of this size can tell.
+bool NewtonSteps::move(Eigen::ArrayXf& residual) {
+  change_.head(count_) = target_.head(count_) - coefficients_.head(count_);
+  const float slope = gradient_.head(count_).dot(change_.head(count_));
+  if (!(slope < 0)) return false;
+  direction_.matrix().noalias() = templates_.leftCols(count_) * change_.head(count_);
+  weight_slope_ = weights_.head(count_).dot(change_.head(count_));
+  const float step = best_step(slope, residual);
+  residual -= step * direction_;
+  if (step == 1)
+    coefficients_.head(count_) = target_.head(count_);
+  else
+    coefficients_.head(count_) = (coefficients_.head(count_) + step * change_.head(count_)).cwiseMax(0);
+  return true;
+}
+
+/// Of F, the part `t` of the way to the target.
+float NewtonSteps::slope_at(float t, const Eigen::ArrayXf& residual) const {
+  return weight_slope_ - (loss_.slope(residual - t * direction_) * direction_).sum();
+}
+
+/// Where F has fallen enough on the way: its slope grows along it, so that a false position with bounds finds a place.
+float NewtonSteps::best_step(float slope_at_0, const Eigen::ArrayXf& residual) const {
+  constexpr int kMost = 20;
+  const float enough = -kSlopeLeft * slope_at_0;
+  float low = 0, slope_low = slope_at_0, high = 1, slope_high = slope_at(1, residual), step = 1;
+  if (slope_high <= enough) return 1;
+  for (int i = 0; i < kMost; ++i) {
+    const float margin = 0.05F * (high - low);
+    step = std::clamp(low - slope_low * (high - low) / (slope_high - slope_low), low + margin, high - margin);
+    const float slope = slope_at(step, residual);
+    if (std::abs(slope) <= enough) break;
+    (slope < 0 ? low : high) = step;
+    (slope < 0 ? slope_low : slope_high) = slope;
+  }
+  return step;
+}
+
+}  // namespace relock::blut
