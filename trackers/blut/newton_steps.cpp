@@ -6,9 +6,10 @@
 namespace relock::blut {
 namespace {
 
-/// Added to the Hessian's diagonal (columns have length 1): templates that are the same, or fewer pixels up to the knee
-/// than templates, would make it singular. It slows the last steps down and does not move the minimum.
-constexpr float kDamping = 1e-6F;
+/// Added to the Hessian's diagonal (columns have length 1): templates that are the same, or fewer pixels up to
+/// the knee than templates, would make it singular. It slows the last steps down a little and does not move
+/// the minimum.
+constexpr float kDamping = 1e-5F, kMostDamping = 1;
 
 /// A step is long enough when F's slope along it has fallen to this part.
 constexpr float kSlopeLeft = 0.1F;
@@ -18,7 +19,7 @@ constexpr float kSlopeLeft = 0.1F;
 NewtonSteps::NewtonSteps(Eigen::Index pixels, Eigen::Index templates, const RobustLoss& loss)
     : loss_(loss),
       templates_(pixels, templates),
-      bent_(pixels, templates),
+      bent_(pixels),
       weights_(templates),
       coefficients_(templates),
       gradient_(templates),
@@ -38,7 +39,7 @@ void NewtonSteps::run(const Eigen::MatrixXf& dictionary, const Eigen::VectorXf& 
                       Eigen::ArrayXf& residual, Eigen::VectorXf& coefficients) {
   count_ = static_cast<Eigen::Index>(chosen.size());
   for (Eigen::Index i = 0; i < count_; ++i) {
-    const Eigen::Index column = chosen[static_cast<std::size_t>(i)];
+    const Eigen::Index column = chosen[i];
     templates_.col(i) = dictionary.col(column);
     weights_(i) = weights(column);
     coefficients_(i) = coefficients(column);
@@ -48,8 +49,7 @@ void NewtonSteps::run(const Eigen::MatrixXf& dictionary, const Eigen::VectorXf& 
     find_target();
     if (!move(residual)) break;
   }
-  for (Eigen::Index i = 0; i < count_; ++i)
-    coefficients(chosen[static_cast<std::size_t>(i)]) = coefficients_(i);
+  for (Eigen::Index i = 0; i < count_; ++i) coefficients(chosen[i]) = coefficients_(i);
 }
 
 /// Returns the largest violation.
@@ -70,9 +70,8 @@ void NewtonSteps::find_hessian(const Eigen::ArrayXf& residual) {
   for (Eigen::Index i = 0; i < count_; ++i) {
     if (coefficients_(i) <= 0 && gradient_(i) >= 0) continue;
     free_.push_back(i);
-    bent_.col(i).array() = templates_.col(i).array() * curvature_;
-    for (const Eigen::Index k : free_) hessian_(i, k) = hessian_(k, i) = bent_.col(i).dot(templates_.col(k));
-    hessian_(i, i) += kDamping;
+    bent_.array() = templates_.col(i).array() * curvature_;
+    hessian_.col(i).head(count_).noalias() = templates_.leftCols(count_).transpose() * bent_;
   }
 }
 
@@ -106,19 +105,29 @@ void NewtonSteps::solve_free() {
   change_.head(count_) = target_.head(count_) - coefficients_.head(count_);
   for (const Eigen::Index i : free_) change_(i) = 0;
   for (Eigen::Index k = 0; k < count; ++k) {
-    const Eigen::Index i = free_[static_cast<std::size_t>(k)];
+    const Eigen::Index i = free_[k];
     float slope = gradient_(i);
     for (Eigen::Index other = 0; other < count_; ++other)
-      if (change_(other) != 0) slope += hessian_(i, other) * change_(other);
+      if (change_(other) != 0) slope += hessian_(other, i) * change_(other);
     free_target_(k) = -slope;
-    for (Eigen::Index m = 0; m <= k; ++m) factor_(k, m) = hessian_(i, free_[static_cast<std::size_t>(m)]);
   }
+  auto change = free_target_.head(count);
   Eigen::Ref<Eigen::MatrixXf> matrix = factor_.topLeftCorner(count, count);
-  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXf>> factor(matrix);  // in place
-  auto solution = free_target_.head(count);
-  factor.solveInPlace(solution);
-  for (Eigen::Index k = 0; k < count; ++k)
-    free_target_(k) += coefficients_(free_[static_cast<std::size_t>(k)]);
+  for (float damping = kDamping;; damping *= 10) {
+    for (Eigen::Index k = 0; k < count; ++k)
+      for (Eigen::Index m = 0; m <= k; ++m)
+        matrix(k, m) = hessian_(free_[k], free_[m]) + (k == m ? damping : 0);
+    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXf>> factor(matrix);  // in place
+    if (factor.info() == Eigen::Success) {
+      factor.solveInPlace(change);
+      break;
+    }
+    if (damping >= kMostDamping) {
+      change.setZero();
+      break;
+    }
+  }
+  for (Eigen::Index k = 0; k < count; ++k) free_target_(k) += coefficients_(free_[k]);
 }
 
 /// False when F does not fall towards the target by what numbers of this size can tell.

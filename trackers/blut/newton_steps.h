@@ -36,7 +36,8 @@ class NewtonSteps {
 
   RobustLoss loss_;
   Eigen::Index count_ = 0;  // of chosen templates; the first so many columns and elements below are in use
-  Eigen::MatrixXf templates_, bent_;  // the chosen ones; and with every pixel times the curvature of its loss
+  Eigen::MatrixXf templates_;
+  Eigen::VectorXf bent_;  // a template, every pixel times the curvature of its loss
   Eigen::VectorXf weights_, coefficients_, gradient_, target_, change_;
   Eigen::MatrixXf hessian_, factor_;
   Eigen::VectorXf free_target_;
