@@ -18,7 +18,8 @@ constexpr Box kShirt{260.3, 46.19, 39.61, 52.84};
 
 cv::Mat1f photo(int number) {
   cv::Mat1f grey;
-  cv::imread(fmt::format(RELOCK_SOURCE_DIR "/recordings/klahaag/images/{:05d}.jpg", number), cv::IMREAD_GRAYSCALE)
+  cv::imread(fmt::format(RELOCK_SOURCE_DIR "/recordings/klahaag/images/{:05d}.jpg", number),
+             cv::IMREAD_GRAYSCALE)
       .convertTo(grey, CV_32F, 1 / 255.0);
   CV_Assert(!grey.empty());
   return grey;
@@ -49,8 +50,8 @@ Eigen::VectorXf look(const cv::Mat1f& picture, Vec2 shift, double scale) {
 
 Looks shirt_looks(int count, std::uint64_t seed, int directions, int lengths, double spread) {
   const int blurs = directions * lengths;
-  Looks made{Eigen::MatrixXf(kSide * kSide, kSharp + blurs + 1), Eigen::VectorXf::Constant(kSharp + blurs + 1, 0.01F),
-             Eigen::MatrixXf(kSide * kSide, count)};
+  Looks made{Eigen::MatrixXf(kSide * kSide, kSharp + blurs + 1),
+             Eigen::VectorXf::Constant(kSharp + blurs + 1, 0.01F), Eigen::MatrixXf(kSide * kSide, count)};
   Random random(seed);
   const cv::Mat1f first = photo(1);
   for (int i = 0; i < kSharp; ++i)
@@ -59,7 +60,8 @@ Looks shirt_looks(int count, std::uint64_t seed, int directions, int lengths, do
     const double share = 0.05 + 0.35 * (i % lengths) / std::max(lengths - 1, 1);
     made.dictionary.col(kSharp + i) =
         look(blurred(first, {.direction_rad = std::numbers::pi * (i / lengths) / directions,
-                             .length_px = share * kShirt.width}), {}, 1);
+                             .length_px = share * kShirt.width}),
+             {}, 1);
   }
   made.dictionary.col(kSharp + blurs) = made.dictionary.col(0);
 
@@ -84,8 +86,12 @@ Looks shirt_looks(int count, std::uint64_t seed, int directions, int lengths, do
 Looks random_looks(int count, std::uint64_t seed, int templates) {
   Random random(seed);
   constexpr int kPixels = kSide * kSide;
-  const auto noise = [&] { return whitened(Eigen::VectorXf::NullaryExpr(kPixels, [&] { return static_cast<float>(random.normal()); })); };
-  Looks made{Eigen::MatrixXf(kPixels, templates), Eigen::VectorXf(templates), Eigen::MatrixXf(kPixels, count)};
+  const auto noise = [&] {
+    return whitened(
+        Eigen::VectorXf::NullaryExpr(kPixels, [&] { return static_cast<float>(random.normal()); }));
+  };
+  Looks made{Eigen::MatrixXf(kPixels, templates), Eigen::VectorXf(templates),
+             Eigen::MatrixXf(kPixels, count)};
   for (int j = 0; j < templates; ++j) {
     made.dictionary.col(j) = noise();
     made.weights(j) = static_cast<float>(0.002 + 0.02 * random.uniform());
@@ -93,7 +99,9 @@ Looks random_looks(int count, std::uint64_t seed, int templates) {
   for (int i = 0; i < count; ++i) {
     Eigen::VectorXf made_of = Eigen::VectorXf::Zero(kPixels);
     for (int part = 0; part < i % 4; ++part)
-      made_of += made.dictionary.col(static_cast<Eigen::Index>(random.below(static_cast<std::uint64_t>(templates)))) * static_cast<float>(random.uniform());
+      made_of += made.dictionary.col(
+                     static_cast<Eigen::Index>(random.below(static_cast<std::uint64_t>(templates)))) *
+                 static_cast<float>(random.uniform());
     made_of += noise() * 0.3F;
     if (i % 3 == 0) made_of.head(kPixels / 5).setConstant(0.1F);
     made.looks.col(i) = whitened(made_of);

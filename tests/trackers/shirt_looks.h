@@ -7,9 +7,10 @@ namespace relock {
 
 /// Templates and looks as a particle filter has them, from recordings/klahaag: 20 x 20 samples of mean 0 and length 1.
 struct Looks {
-  Eigen::MatrixXf dictionary;  ///< 10 sharp templates jittered by a pixel, the blurred ones, the first one again
-  Eigen::VectorXf weights;     ///< one for each
-  Eigen::MatrixXf looks;       ///< a column each
+  Eigen::MatrixXf
+      dictionary;           ///< 10 sharp templates jittered by a pixel, the blurred ones, the first one again
+  Eigen::VectorXf weights;  ///< one for each
+  Eigen::MatrixXf looks;    ///< a column each
 };
 
 /// The shirt's first look, blurred along `directions` by `lengths` (0.05 to 0.4 of its width), and what particles
