@@ -1,11 +1,11 @@
-// What the sparse solver of `blut` and `l1` (trackers/blut/sparse_solver.h) costs for a look of 20 x 20, and how near
-// it comes to the minimum: cold (from zero) and warm (from the look before), with the default limits ("accurate") and
-// with 4 rounds of 3 steps ("fast"), against the number of templates; beside block coordinate descent, by which
-// trackers of this kind are usually solved. Looks are patches of recordings/klahaag, as particles near (0.02 widths)
-// and far (0.12 widths) from the target see them.
-// Columns: gap_%, worst_% = (objective - reference) / reference, mean and largest over 400 looks, the reference being
-// what duality allows at a solution of tolerance 1e-7; error = largest |difference| of ||y - D c||^2 from that
-// solution; used = templates with a coefficient.
+// What the sparse solver of `blut` and `l1` (trackers/blut/sparse_solver.h) costs for a look of 20 x 20, and
+// how near it comes to the minimum: cold (from zero) and warm (from the look before), with the default limits
+// ("accurate") and with 4 rounds of 3 steps ("fast"), against the number of templates; beside block
+// coordinate descent, by which trackers of this kind are usually solved. Looks are patches of
+// recordings/klahaag, as particles near (0.02 widths) and far (0.12 widths) from the target see them.
+// Columns: gap_%, worst_% = (objective - reference) / reference, mean and largest over 400 looks, the
+// reference being what duality allows at a solution of tolerance 1e-7; error = largest |difference| of ||y -
+// D c||^2 from that solution; used = templates with a coefficient.
 
 #include <benchmark/benchmark.h>
 

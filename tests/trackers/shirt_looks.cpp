@@ -43,7 +43,7 @@ Eigen::VectorXf look(const cv::Mat1f& picture, Vec2 shift, double scale) {
   cv::Mat1f box, small;
   cv::getRectSubPix(picture, {width, height}, centre, box);
   cv::resize(box, small, {kSide, kSide}, 0, 0, cv::INTER_AREA);
-  return whitened(Eigen::Map<const Eigen::VectorXf>(small.ptr<float>(), small.total()));
+  return whitened(Eigen::Map<const Eigen::VectorXf>(small.ptr<float>(), kSide * kSide));
 }
 
 }  // namespace

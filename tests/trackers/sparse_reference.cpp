@@ -41,9 +41,10 @@ double ExplicitProblem::objective(const VectorXd& look, const VectorXd& c, const
          0.5 * trivial_ridge * (u - v).square().sum();
 }
 
-// Primal and dual path following (Nocedal and Wright, Numerical Optimization, chapter 16.6). `s` are the multipliers of
-// the unknowns; a step solves (Q + s/x) dx = -gradient + target/x. By pixel, u and v are two unknowns that are coupled
-// with each other and, through D, with c: they are eliminated, what is left has n unknowns.
+// Primal and dual path following (Nocedal and Wright, Numerical Optimization, chapter 16.6). `s` are the
+// multipliers of the unknowns; a step solves (Q + s/x) dx = -gradient + target/x. By pixel, u and v are two
+// unknowns that are coupled with each other and, through D, with c: they are eliminated, what is left has n
+// unknowns.
 double ExplicitProblem::interior_point(const VectorXd& look) const {
   const Eigen::Index n = dictionary.cols(), d = dictionary.rows();
   const double kappa = 1 + trivial_ridge;
@@ -86,8 +87,8 @@ double ExplicitProblem::interior_point(const VectorXd& look) const {
   throw std::runtime_error("the interior point method did not end");
 }
 
-// For any nu with D'nu <= w, and the conjugate phi* of the loss, y'nu - sum phi*(nu) is one. The slopes of the loss at
-// `c`, made smaller until they fit, are such a nu.
+// For any nu with D'nu <= w, and the conjugate phi* of the loss, y'nu - sum phi*(nu) is one. The slopes of
+// the loss at `c`, made smaller until they fit, are such a nu.
 double ExplicitProblem::dual_bound(const VectorXd& look, const VectorXd& c) const {
   const double le = trivial_weight, mu = trivial_ridge, rho = mu / (1 + mu);
   const ArrayXd r = look - dictionary * c;

@@ -6,9 +6,9 @@
 namespace relock::blut {
 namespace {
 
-/// Added to the Hessian's diagonal (columns have length 1): templates that are the same, or fewer pixels up to
-/// the knee than templates, would make it singular. It slows the last steps down a little and does not move
-/// the minimum.
+/// Added to the Hessian's diagonal (columns have length 1): templates that are the same, or fewer pixels up
+/// to the knee than templates, would make it singular. It slows the last steps down a little and does not
+/// move the minimum.
 constexpr float kDamping = 1e-5F, kMostDamping = 1;
 
 /// A step is long enough when F's slope along it has fallen to this part.
@@ -27,7 +27,8 @@ NewtonSteps::NewtonSteps(Eigen::Index pixels, Eigen::Index templates, const Robu
       change_(templates),
       hessian_(templates, templates),
       factor_(templates, templates),
-      free_target_(templates),
+      solution_(templates),
+      free_minimum_(templates),
       slopes_(pixels),
       curvature_(pixels),
       direction_(pixels) {
@@ -37,19 +38,19 @@ NewtonSteps::NewtonSteps(Eigen::Index pixels, Eigen::Index templates, const Robu
 void NewtonSteps::run(const Eigen::MatrixXf& dictionary, const Eigen::VectorXf& weights,
                       const std::vector<Eigen::Index>& chosen, int most, float tolerance,
                       Eigen::ArrayXf& residual, Eigen::VectorXf& coefficients) {
-  count_ = static_cast<Eigen::Index>(chosen.size());
-  for (Eigen::Index i = 0; i < count_; ++i) {
-    const Eigen::Index column = chosen[i];
-    templates_.col(i) = dictionary.col(column);
-    weights_(i) = weights(column);
-    coefficients_(i) = coefficients(column);
+  count_ = 0;
+  for (const Eigen::Index column : chosen) {
+    templates_.col(count_) = dictionary.col(column);
+    weights_(count_) = weights(column);
+    coefficients_(count_++) = coefficients(column);
   }
   for (int step = 0; step < most && find_gradient(residual) > tolerance; ++step) {
     find_hessian(residual);
     find_target();
     if (!move(residual)) break;
   }
-  for (Eigen::Index i = 0; i < count_; ++i) coefficients(chosen[i]) = coefficients_(i);
+  Eigen::Index i = 0;
+  for (const Eigen::Index column : chosen) coefficients(column) = coefficients_(i++);
 }
 
 /// Returns the largest violation.
@@ -79,55 +80,62 @@ void NewtonSteps::find_hessian(const Eigen::ArrayXf& residual) {
 void NewtonSteps::find_target() {
   target_.head(count_) = coefficients_.head(count_);
   while (!free_.empty()) {
-    solve_free();
-    float share = 1;  // of the way to the minimum of the quadratic, until one would be negative
-    std::size_t blocking = free_.size();
-    for (std::size_t k = 0; k < free_.size(); ++k) {
-      const float from = target_(free_[k]), to = free_target_(static_cast<Eigen::Index>(k));
-      if (to > 0) continue;
-      const float possible = from > 0 ? from / (from - to) : 0;
-      if (blocking == free_.size() || possible < share) {
-        share = possible;
-        blocking = k;
-      }
+    find_free_minimum();
+    float share = 1;  // of the way to that minimum, until one would be negative
+    Eigen::Index blocking = -1;
+    for (const Eigen::Index i : free_) {
+      if (free_minimum_(i) > 0) continue;
+      const float possible = target_(i) > 0 ? target_(i) / (target_(i) - free_minimum_(i)) : 0;
+      if (blocking >= 0 && possible >= share) continue;
+      share = possible;
+      blocking = i;
     }
-    for (std::size_t k = 0; k < free_.size(); ++k)
-      target_(free_[k]) += share * (free_target_(static_cast<Eigen::Index>(k)) - target_(free_[k]));
-    if (blocking == free_.size()) return;
-    target_(free_[blocking]) = 0;
-    free_.erase(free_.begin() + static_cast<std::ptrdiff_t>(blocking));
+    for (const Eigen::Index i : free_) target_(i) += share * (free_minimum_(i) - target_(i));
+    if (blocking < 0) return;
+    target_(blocking) = 0;
+    std::erase(free_, blocking);
   }
 }
 
-/// Minimum of the quadratic over the free coefficients, wherever it is, the others being at their targets.
-void NewtonSteps::solve_free() {
-  const auto count = static_cast<Eigen::Index>(free_.size());
+/// Of the quadratic over the free coefficients, negative or not, the others being at their targets.
+void NewtonSteps::find_free_minimum() {
   change_.head(count_) = target_.head(count_) - coefficients_.head(count_);
   for (const Eigen::Index i : free_) change_(i) = 0;
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const Eigen::Index i = free_[k];
+  Eigen::Index k = 0;
+  for (const Eigen::Index i : free_) {
     float slope = gradient_(i);
     for (Eigen::Index other = 0; other < count_; ++other)
       if (change_(other) != 0) slope += hessian_(other, i) * change_(other);
-    free_target_(k) = -slope;
+    solution_(k++) = -slope;
   }
-  auto change = free_target_.head(count);
-  Eigen::Ref<Eigen::MatrixXf> matrix = factor_.topLeftCorner(count, count);
-  for (float damping = kDamping;; damping *= 10) {
-    for (Eigen::Index k = 0; k < count; ++k)
-      for (Eigen::Index m = 0; m <= k; ++m)
-        matrix(k, m) = hessian_(free_[k], free_[m]) + (k == m ? damping : 0);
-    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXf>> factor(matrix);  // in place
-    if (factor.info() == Eigen::Success) {
-      factor.solveInPlace(change);
-      break;
-    }
+  for (float damping = kDamping; !solve_damped(damping); damping *= 10)
     if (damping >= kMostDamping) {
-      change.setZero();
+      solution_.head(k).setZero();
       break;
     }
+  k = 0;
+  for (const Eigen::Index i : free_) free_minimum_(i) = coefficients_(i) + solution_(k++);
+}
+
+/// (Hessian of the free ones + damping) x = solution_, x taking its place. False when the matrix is not
+/// positive.
+bool NewtonSteps::solve_damped(float damping) {
+  Eigen::Index count = 0;
+  for (const Eigen::Index i : free_) {
+    Eigen::Index column = 0;
+    for (const Eigen::Index k : free_) {
+      factor_(count, column++) = hessian_(i, k);
+      if (k == i) break;  // the upper triangle is not read
+    }
+    factor_(count, count) += damping;
+    ++count;
   }
-  for (Eigen::Index k = 0; k < count; ++k) free_target_(k) += coefficients_(free_[k]);
+  Eigen::Ref<Eigen::MatrixXf> matrix = factor_.topLeftCorner(count, count);
+  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXf>> factor(matrix);  // in its place
+  if (factor.info() != Eigen::Success) return false;
+  auto solution = solution_.head(count);
+  factor.solveInPlace(solution);
+  return true;
 }
 
 /// False when F does not fall towards the target by what numbers of this size can tell.
@@ -151,7 +159,8 @@ float NewtonSteps::slope_at(float t, const Eigen::ArrayXf& residual) const {
   return weight_slope_ - (loss_.slope(residual - t * direction_) * direction_).sum();
 }
 
-/// Where F has fallen enough on the way: its slope grows along it, so that a false position with bounds finds a place.
+/// Where F has fallen enough on the way: its slope grows along it, so that a false position with bounds finds
+/// a place.
 float NewtonSteps::best_step(float slope_at_0, const Eigen::ArrayXf& residual) const {
   constexpr int kMost = 20;
   const float enough = -kSlopeLeft * slope_at_0;

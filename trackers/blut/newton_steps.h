@@ -11,16 +11,17 @@ namespace relock::blut {
 
 /// Minimises F(c) of sparse_solver.h over the coefficients of a few chosen templates, the others being 0.
 ///
-/// F is piecewise quadratic, so Newton's method ends at the minimum after a finite number of steps, once it is known
-/// which pixels are beyond the knee and which coefficients are 0. A step is (1) the quadratic that agrees with F here,
-/// (2) its minimum under c >= 0, by an active set: coefficients that would become negative stop at 0 and leave, one
-/// after the other, and (3) as far towards it as F falls.
+/// F is piecewise quadratic, so Newton's method ends at the minimum after a finite number of steps, once it
+/// is known which pixels are beyond the knee and which coefficients are 0. A step is (1) the quadratic that
+/// agrees with F here, (2) its minimum under c >= 0, by an active set: coefficients that would become
+/// negative stop at 0 and leave, one after the other, and (3) as far towards it as F falls.
 class NewtonSteps {
  public:
   NewtonSteps(Eigen::Index pixels, Eigen::Index templates, const RobustLoss& loss);
 
-  /// At most `most` steps; fewer when the KKT residual of the chosen ones falls to `tolerance`.
-  /// `chosen`: columns of `dictionary` that may be used, all with c > 0 among them. `residual`: y - D c, and is kept so.
+  /// At most `most` steps; fewer when the KKT residual of the chosen ones falls to `tolerance`. `chosen`:
+  /// columns of `dictionary` that may be used, all with c > 0 among them. `residual`: y - D c, and is kept
+  /// so.
   void run(const Eigen::MatrixXf& dictionary, const Eigen::VectorXf& weights,
            const std::vector<Eigen::Index>& chosen, int most, float tolerance, Eigen::ArrayXf& residual,
            Eigen::VectorXf& coefficients);
@@ -29,7 +30,8 @@ class NewtonSteps {
   float find_gradient(const Eigen::ArrayXf& residual);
   void find_hessian(const Eigen::ArrayXf& residual);
   void find_target();
-  void solve_free();
+  void find_free_minimum();
+  bool solve_damped(float damping);
   bool move(Eigen::ArrayXf& residual);
   float slope_at(float t, const Eigen::ArrayXf& residual) const;
   float best_step(float slope_at_0, const Eigen::ArrayXf& residual) const;
@@ -40,7 +42,7 @@ class NewtonSteps {
   Eigen::VectorXf bent_;  // a template, every pixel times the curvature of its loss
   Eigen::VectorXf weights_, coefficients_, gradient_, target_, change_;
   Eigen::MatrixXf hessian_, factor_;
-  Eigen::VectorXf free_target_;
+  Eigen::VectorXf solution_, free_minimum_;
   std::vector<Eigen::Index> free_;  // may change in this step
   Eigen::ArrayXf slopes_, curvature_, direction_;
   float weight_slope_ = 0;

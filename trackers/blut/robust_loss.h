@@ -4,8 +4,8 @@
 
 namespace relock::blut {
 
-/// phi of sparse_solver.h, of many residuals: with rho = mu/(1 + mu) it is
-/// rho r^2/2 + (1 - rho) h(r), where h is Huber's loss with knee le: h(r) = k (r - k/2), k = r clipped to -le … le.
+/// phi of sparse_solver.h, of many residuals: with rho = mu/(1 + mu) it is rho r^2/2 + (1 - rho) h(r), where
+/// h is Huber's loss with knee le: h(r) = k (r - k/2), k = r clipped to -le … le.
 struct RobustLoss {
   float knee = 0;  ///< le
   float rho = 0;

@@ -12,7 +12,8 @@ namespace {
 /// Rows are filled up with 0 to whole vectors, so that a column is read the same way wherever it is.
 constexpr Eigen::Index kLanes = 4;
 
-/// So many templates that are not in use are tried in a round. With more, the steps cost more than rounds are saved.
+/// So many templates that are not in use are tried in a round. With more, the steps cost more than rounds are
+/// saved.
 constexpr std::size_t kTried = 4;
 
 /// A template adds to the basis if so much of it is not explained by those before.
@@ -68,7 +69,8 @@ void SparseSolver::set_weights(const Eigen::VectorXf& weights) {
   weights_ = weights;
 }
 
-/// Gram and Schmidt's, each template twice: once leaves rounding errors that a nearly dependent one would blow up.
+/// Gram and Schmidt's, each template twice: once leaves rounding errors that a nearly dependent one would
+/// blow up.
 void SparseSolver::find_basis() {
   basis_size_ = 0;
   Eigen::VectorXf direction(dictionary_.rows());
