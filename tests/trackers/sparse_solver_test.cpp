@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
 #include <limits>
 
 #include "core/error.h"
@@ -70,6 +71,23 @@ TEST(SparseSolver, TellsTheObjectiveOfTheProblemWithATrivialTemplateForEveryPixe
     EXPECT_NEAR(solution.squared_residual, (look.cast<double>() - problem.dictionary * c).squaredNorm(),
                 1e-6);
   });
+}
+
+TEST(SparseSolver, TakesLooksOfAnyNumberOfPixels) {
+  for (const Index pixels : {1, 2, 3, 5, 13, 195}) {
+    Looks looks = shirt();
+    looks.dictionary = MatrixXf(shirt().dictionary.topRows(pixels)).colwise().normalized();
+    const ExplicitProblem problem = explicit_problem(looks, kDefault);
+    SparseSolver solver = solver_of(looks);
+    for (Index i = 0; i < 10; ++i) {
+      const VectorXf look = looks.looks.col(i).head(pixels).normalized();
+      const Solution solution = solved(solver, look);
+      const VectorXd y = look.cast<double>(), c = solution.coefficients.cast<double>();
+      EXPECT_NEAR(solution.objective,
+                  problem.objective(y, c, solver.trivial(look, c.cast<float>()).cast<double>()), 1e-6);
+      EXPECT_LT(solution.objective, 1.01 * problem.interior_point(y));
+    }
+  }
 }
 
 TEST(SparseSolver, TellsTrivialCoefficientsThatNoChangeMakesBetter) {
@@ -162,6 +180,7 @@ TEST(SparseSolver, FindsTheSameWhereverItStarts) {
       anywhere.coefficients =
           VectorXf::NullaryExpr(solver.templates(), [&] { return static_cast<float>(random.normal()); });
       anywhere.coefficients(5) = std::numeric_limits<float>::quiet_NaN();
+      anywhere.coefficients(6) = std::numeric_limits<float>::infinity();
       solver.solve(look, anywhere);
       EXPECT_NEAR(anywhere.objective, cold.objective, 1e-3 * cold.objective);
       EXPECT_GE(anywhere.coefficients.minCoeff(), 0);
@@ -245,6 +264,20 @@ TEST(SparseSolver, BoundsAMixtureOfTemplatesByNothingAndWhatIsAtRightAnglesByAll
   EXPECT_NEAR(bounds(2), 0.64, 1e-6);
 }
 
+TEST(SparseSolver, BoundsWellWhereTemplatesAreNearlyTheSame) {
+  Looks looks = random_looks(40, 5, 12);
+  looks.dictionary.col(1) = looks.dictionary.col(0);
+  looks.dictionary.col(3) = (looks.dictionary.col(2) + 3e-5F * looks.looks.col(0)).normalized();
+  looks.dictionary.col(5) = (looks.dictionary.col(3) + 1e-3F * looks.looks.col(1)).normalized();
+  VectorXf bounds;
+  solver_of(looks).bound(looks.looks, bounds);
+  const auto factors = looks.dictionary.cast<double>().colPivHouseholderQr();
+  const Eigen::MatrixXd q = Eigen::MatrixXd(factors.householderQ()).leftCols(11),
+                        y = looks.looks.cast<double>();
+  for (Index i = 0; i < y.cols(); ++i)
+    EXPECT_NEAR(bounds(i), y.col(i).squaredNorm() - (q.transpose() * y.col(i)).squaredNorm(), 1e-4) << i;
+}
+
 TEST(SparseSolver, TakesFromATemplateSeenAloneItsWeight) {
   // All pixels are below the knee: 1/2 (1 - c)^2 + w c is smallest at 1 - w.
   SparseSolver solver(shirt().dictionary.leftCols(1), VectorXf::Constant(1, 0.03F), {.tolerance = 1e-7});
@@ -280,7 +313,7 @@ TEST(SparseSolver, DoesNotCareInWhatOrderTemplatesAndPixelsAre) {
 TEST(SparseSolver, EndsWhereTemplatesAreTheSameManyOrFreeAndWhereLooksAreEmpty) {
   MatrixXf same = shirt().dictionary.leftCols(1).replicate(1, 9);
   const MatrixXf many = random_looks(50, 4).looks.topRows(13);
-  for (const MatrixXf& dictionary : {same, many, MatrixXf(many.topRows(1))})
+  for (const MatrixXf& dictionary : {same, MatrixXf(100 * same), many, MatrixXf(many.topRows(1))})
     for (const double knee : {0.0, 1e-6, 0.01, 1.0})
       for (const float weight : {0.F, 0.01F}) {
         SparseSolver solver(dictionary, VectorXf::Constant(dictionary.cols(), weight),

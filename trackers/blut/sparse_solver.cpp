@@ -9,7 +9,8 @@
 namespace relock::blut {
 namespace {
 
-/// Rows are filled up with 0 to whole vectors, so that a column is read the same way wherever it is.
+/// Rows are filled up with 0, which change nothing, to whole vectors: a column is read the same way wherever
+/// it is.
 constexpr Eigen::Index kLanes = 4;
 
 /// So many templates that are not in use are tried in a round. With more, the steps cost more than rounds are
@@ -41,7 +42,7 @@ SparseSolver::SparseSolver(const Eigen::MatrixXf& dictionary, const Eigen::Vecto
       dictionary_(Eigen::MatrixXf::Zero(padded(dictionary.rows()), dictionary.cols())),
       basis_(dictionary_.rows(), dictionary_.cols()),
       steps_(dictionary_.rows(), dictionary_.cols(), loss_),
-      residual_(dictionary_.rows()),
+      residual_(Eigen::ArrayXf::Zero(dictionary_.rows())),
       slopes_(dictionary_.rows()),
       gradient_(dictionary_.cols()) {
   if (dictionary.size() == 0) throw Error("sparse solver: there are no templates");
@@ -118,7 +119,6 @@ void SparseSolver::start(const Eigen::Ref<const Eigen::VectorXf>& look, Eigen::V
   check_size(look.size());
   if (coefficients.size() != templates()) coefficients.setZero(templates());
   residual_.head(pixels_) = look;
-  residual_.tail(residual_.size() - pixels_).setZero();
   if (!residual_.allFinite()) throw Error("sparse solver: a look has a value that is no number");
   for (Eigen::Index j = 0; j < templates(); ++j)
     if (coefficients(j) > 0 && std::isfinite(coefficients(j)))
