@@ -4,18 +4,19 @@
 #include <cmath>
 #include <numbers>
 
-namespace relock {
+namespace relock::blut {
 namespace {
 
 constexpr int kStepsASide = 32;  // of the longest line, from its middle
 
 /// The integral of the picture along the line through every sample, from -reach to reach, as far as each of the
 /// steps: column k is over k steps to both sides, in units of a step. The trapezoid rule.
-Eigen::MatrixXf integrals_along(const Sampling& sampling, const State& state, Vec2 step, Eigen::MatrixXf& pairs) {
+Eigen::MatrixXf integrals_along(const particles::Sampling& sampling, const particles::State& state, Vec2 step,
+                                Eigen::MatrixXf& pairs) {
   Eigen::VectorXf there(sampling.grid().size()), back(sampling.grid().size());
   Eigen::MatrixXf integrals = Eigen::MatrixXf::Zero(there.size(), kStepsASide + 1);
   for (int k = 0; k <= kStepsASide; ++k) {
-    State moved = state;
+    particles::State moved = state;
     moved.centre = state.centre + static_cast<double>(k) * step;
     sampling.read(moved, there);
     moved.centre = state.centre - static_cast<double>(k) * step;
@@ -34,7 +35,8 @@ BlurEstimate BlurFan::motion(int number, double width_px) const {
   return {.direction_rad = std::numbers::pi * direction / directions, .length_px = share * width_px};
 }
 
-Eigen::MatrixXf blurred_looks(const Sampling& sampling, const State& state, const BlurFan& fan, double width_px) {
+Eigen::MatrixXf blurred_looks(const particles::Sampling& sampling, const particles::State& state,
+                              const BlurFan& fan, double width_px) {
   Eigen::MatrixXf looks(sampling.grid().size(), fan.size());
   Eigen::MatrixXf pairs(sampling.grid().size(), kStepsASide + 1);
   const double step_px = fan.longest * width_px / (2 * kStepsASide);
@@ -48,13 +50,12 @@ Eigen::MatrixXf blurred_looks(const Sampling& sampling, const State& state, cons
       const int whole = std::min(static_cast<int>(steps), kStepsASide - 1);
       const auto rest = static_cast<float>(steps - whole);
       // Between two steps the picture is taken to be straight.
-      looks.col(number) =
-          integrals.col(whole) +
-          rest * (pairs.col(whole) + 0.5F * rest * (pairs.col(whole + 1) - pairs.col(whole)));
-      whiten(looks.col(number));
+      looks.col(number) = integrals.col(whole) +
+                          rest * (pairs.col(whole) + 0.5F * rest * (pairs.col(whole + 1) - pairs.col(whole)));
+      particles::whiten(looks.col(number));
     }
   }
   return looks;
 }
 
-}  // namespace relock
+}  // namespace relock::blut

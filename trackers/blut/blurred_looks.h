@@ -6,7 +6,7 @@
 #include "core/sighting.h"
 #include "trackers/particles/sampling.h"
 
-namespace relock {
+namespace relock::blut {
 
 /// Straight, even motions over the exposure: all `lengths` of the first direction, then of the next.
 struct BlurFan {
@@ -27,6 +27,7 @@ struct BlurFan {
 /// Every template is a mean over a line, and the lines of one direction lie within each other. So the picture is
 /// read at 65 places along the longest line only, and sums of these are the templates: 8 x 65 readings in place of
 /// 64 convolutions.
-Eigen::MatrixXf blurred_looks(const Sampling& sampling, const State& state, const BlurFan& fan, double width_px);
+Eigen::MatrixXf blurred_looks(const particles::Sampling& sampling, const particles::State& state,
+                              const BlurFan& fan, double width_px);
 
-}  // namespace relock
+}  // namespace relock::blut

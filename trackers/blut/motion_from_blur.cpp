@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace relock {
+namespace relock::blut {
 namespace {
 
 /// In [0, pi).
@@ -16,8 +16,8 @@ double axial(double angle) {
 }  // namespace
 
 std::optional<BlurEstimate> motion_from_blur(const BlurFan& fan, double width_px,
-                                             const Eigen::Ref<const Eigen::VectorXf>& coefficients, double sharp,
-                                             double blurred_share) {
+                                             const Eigen::Ref<const Eigen::VectorXf>& coefficients,
+                                             double sharp, double blurred_share) {
   const double blurred = coefficients.sum();
   if (!(blurred > blurred_share * (sharp + blurred))) return std::nullopt;
 
@@ -44,9 +44,10 @@ std::optional<BlurEstimate> motion_from_blur(const BlurFan& fan, double width_px
   return BlurEstimate{.direction_rad = axial(0.5 * std::atan2(sine, cosine)), .length_px = length / weight};
 }
 
-BlurEstimate seen_at(const State& state, const BlurEstimate& motion) {
-  const Vec2 seen = carried(state, motion.length_px * Vec2{std::cos(motion.direction_rad), std::sin(motion.direction_rad)});
+BlurEstimate seen_at(const particles::State& state, const BlurEstimate& motion) {
+  const Vec2 seen =
+      carried(state, motion.length_px * Vec2{std::cos(motion.direction_rad), std::sin(motion.direction_rad)});
   return {.direction_rad = axial(std::atan2(seen.y, seen.x)), .length_px = norm(seen)};
 }
 
-}  // namespace relock
+}  // namespace relock::blut

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace relock {
+namespace relock::ivt {
 namespace {
 
 constexpr double kLeastSingular = 1e-6;  // of the largest: below, a direction is rounding
@@ -45,7 +45,8 @@ void Subspace::learn(const Eigen::MatrixXf& looks) {
 
   const Eigen::VectorXd& all = svd.singularValues();
   Eigen::Index kept = 0;
-  while (kept < std::min<Eigen::Index>(components_, all.size()) && all[kept] > kLeastSingular * all[0]) ++kept;
+  while (kept < std::min<Eigen::Index>(components_, all.size()) && all[kept] > kLeastSingular * all[0])
+    ++kept;
   Eigen::MatrixXd both(batch.rows(), had + width);
   both << basis_, beyond;
   basis_ = both * svd.matrixU().leftCols(kept);
@@ -58,4 +59,4 @@ Eigen::VectorXf Subspace::squared_distances(const Eigen::MatrixXf& looks) const 
   return (about_mean.colwise().squaredNorm() - within.colwise().squaredNorm()).cwiseMax(0.0F);
 }
 
-}  // namespace relock
+}  // namespace relock::ivt

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace relock {
+namespace relock::ivt {
 
 /// A mean and the directions in which looks vary most about it, learnt batch by batch: the sequential
 /// Karhunen-Loeve algorithm with an updated mean and a forgetting factor, figure 1 of Ross, Lim, Lin and Yang,
@@ -34,4 +34,4 @@ class Subspace {
   Eigen::VectorXd singular_values_;
 };
 
-}  // namespace relock
+}  // namespace relock::ivt

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace relock {
+namespace relock::particles {
 namespace {
 
 constexpr double kLeastScale = 0.2, kMostScale = 5;  // of the start box: beyond, a target is another one
@@ -29,7 +29,8 @@ State walked(const State& from, const ParticleOptions& o, double width_px, Rando
   return to;
 }
 
-State hinted(const State& from, const Hint& hint, const ParticleOptions& options, Vec2 start, Random& random) {
+State hinted(const State& from, const Hint& hint, const ParticleOptions& options, Vec2 start,
+             Random& random) {
   const double sure = std::isfinite(hint.sigma_px) ? std::max(0.0, hint.sigma_px) : 0.0;
   const double scale = std::sqrt(hint.prior.area() / (start.x * start.y * from.aspect));
   State expected = from;
@@ -38,7 +39,8 @@ State hinted(const State& from, const Hint& hint, const ParticleOptions& options
   return walked(expected, options, start.x * expected.scale, random);
 }
 
-std::vector<State> resampled(std::span<const double> weights, std::span<const State> particles, Random& random) {
+std::vector<State> resampled(std::span<const double> weights, std::span<const State> particles,
+                             Random& random) {
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
   const double step = total / static_cast<double>(particles.size());
   const double first = random.uniform();
@@ -59,7 +61,8 @@ std::vector<OptionInfo> particle_option_list() {
   const auto text = [](auto value) { return fmt::format("{}", value); };
   return {
       {"particles", text(d.particles), "", "particles; L1-APG's demonstration has 600"},
-      {"columns", text(d.grid.columns), "", "samples of a look across; L1-APG has 12 to 18, too few for a marker's blur"},
+      {"columns", text(d.grid.columns), "",
+       "samples of a look across; L1-APG has 12 to 18, too few for a marker's blur"},
       {"rows", text(d.grid.rows), "", "samples of a look down"},
       {"position_sigma", text(d.position_sigma), "",
        "random walk of the place in a frame, of the target's width; assumed: with 0.04 jerks alone lose it"},
@@ -83,4 +86,4 @@ ParticleOptions particle_options(const Options& given) {
           .least_confidence = given.number("least_confidence", 0, 1)};
 }
 
-}  // namespace relock
+}  // namespace relock::particles

@@ -9,7 +9,7 @@
 #include "trackers/particles/sampling.h"
 #include "trackers/particles/state.h"
 
-namespace relock {
+namespace relock::particles {
 
 /// What `blut`, `l1` and `ivt` have in common, so that what each of them adds can be told.
 struct ParticleOptions {
@@ -19,8 +19,8 @@ struct ParticleOptions {
   double scale_sigma = 0.015;     ///< of the logarithm of the scale
   double rotation_sigma = 0.005;  ///< rad
   double aspect_sigma = 0.004;    ///< of the logarithm of the aspect
-  double alpha = 50;              ///< likelihood exp(-alpha r), r: part of a look's energy that is not explained
-  double least_confidence = 0;    ///< below it the target is called lost
+  double alpha = 50;  ///< likelihood exp(-alpha r), r: part of a look's energy that is not explained
+  double least_confidence = 0;  ///< below it the target is called lost
 };
 std::vector<OptionInfo> particle_option_list();
 /// Throws Error naming the option, the value and the legal range.
@@ -45,6 +45,7 @@ inline bool trusts_hint(std::size_t particle) { return particle % 5 != 0; }
 
 /// As many particles drawn anew, in proportion to their weights (not negative, some of them positive): systematic
 /// resampling, one random number for all.
-std::vector<State> resampled(std::span<const double> weights, std::span<const State> particles, Random& random);
+std::vector<State> resampled(std::span<const double> weights, std::span<const State> particles,
+                             Random& random);
 
-}  // namespace relock
+}  // namespace relock::particles

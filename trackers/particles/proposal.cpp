@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace relock {
+namespace relock::particles {
 namespace {
 
 /// A step of the random walk from a place at the end of the last blur, on either side.
@@ -47,4 +47,4 @@ void propose(const Motion& motion, const std::optional<Hint>& hint, const Partic
   }
 }
 
-}  // namespace relock
+}  // namespace relock::particles

@@ -6,17 +6,17 @@
 #include "core/sighting.h"
 #include "trackers/particles/filter.h"
 
-namespace relock {
+namespace relock::particles {
 
 /// How particles move on from one frame to the next.
 struct ProposalOptions {
-  bool blur_lobes = true;  ///< particles go where the blur says that the target went
-  bool velocity = false;   ///< particles go on at the last velocity
-  double kappa = 1.2;      ///< frame period over exposure: motion in a frame over motion in the blur
-  double lobe_share = 0.6;      ///< of the particles that go into the two lobes after a blurred frame
-  double lobe_spread = 0.35;    ///< of a lobe along the motion, of its distance
-  double velocity_share = 0.8;  ///< of the particles that go into no lobe
-  double velocity_spread = 0.4; ///< of the velocity's length
+  bool blur_lobes = true;        ///< particles go where the blur says that the target went
+  bool velocity = false;         ///< particles go on at the last velocity
+  double kappa = 1.2;            ///< frame period over exposure: motion in a frame over motion in the blur
+  double lobe_share = 0.6;       ///< of the particles that go into the two lobes after a blurred frame
+  double lobe_spread = 0.35;     ///< of a lobe along the motion, of its distance
+  double velocity_share = 0.8;   ///< of the particles that go into no lobe
+  double velocity_spread = 0.4;  ///< of the velocity's length
 };
 
 /// What the last frames tell of the motion.
@@ -32,4 +32,4 @@ struct Motion {
 void propose(const Motion& motion, const std::optional<Hint>& hint, const ParticleOptions& filter,
              const ProposalOptions& options, Vec2 start, std::span<State> particles, Random& random);
 
-}  // namespace relock
+}  // namespace relock::particles

@@ -6,7 +6,7 @@
 
 #include "core/opencv.h"
 
-namespace relock {
+namespace relock::particles {
 namespace {
 
 constexpr double kPixelsPerSample = 1.6;
@@ -44,8 +44,7 @@ void Sampling::read(const State& state, Eigen::Ref<Eigen::VectorXf> values) cons
   const Vec2 row_step = in_shrunk(carried(state, {0, start_.y / grid_.rows}));
   const Vec2 half{0.5, 0.5};
   const Vec2 middle = in_shrunk(state.centre + half) - half;
-  const Vec2 first =
-      middle - (0.5 * (grid_.columns - 1)) * column_step - (0.5 * (grid_.rows - 1)) * row_step;
+  const Vec2 first = middle - (0.5 * (grid_.columns - 1)) * column_step - (0.5 * (grid_.rows - 1)) * row_step;
   // Up to just before the last pixel, so that there is always one to the right and one below.
   const float right_end = static_cast<float>(shrunk_.cols - 1) - 1e-3F;
   const float lower_end = static_cast<float>(shrunk_.rows - 1) - 1e-3F;
@@ -96,4 +95,4 @@ bool whiten(Eigen::Ref<Eigen::VectorXf> values) {
   return true;
 }
 
-}  // namespace relock
+}  // namespace relock::particles

@@ -8,7 +8,7 @@
 #include "core/image.h"
 #include "trackers/particles/state.h"
 
-namespace relock {
+namespace relock::particles {
 
 /// Samples of a target's look: `columns` by `rows` of them, evenly over its box.
 struct Grid {
@@ -58,4 +58,4 @@ class Sampling {
 /// Makes the mean 0 and the length 1. False, and all 0, when the values have no contrast.
 bool whiten(Eigen::Ref<Eigen::VectorXf> values);
 
-}  // namespace relock
+}  // namespace relock::particles

@@ -4,7 +4,7 @@
 
 #include "core/geometry.h"
 
-namespace relock {
+namespace relock::particles {
 
 /// Where a particle puts the target: a similarity and an aspect, relative to the start box. (Six affine numbers
 /// are what l1's published code has; a shear is a thing that few targets do and that fits much of what is none.)
@@ -29,4 +29,4 @@ inline Box unturned_box(const State& state, Vec2 start) {
   return {state.centre.x - width / 2, state.centre.y - height / 2, width, height};
 }
 
-}  // namespace relock
+}  // namespace relock::particles
