@@ -17,9 +17,9 @@ double axial(double angle) {
 
 std::optional<BlurEstimate> motion_from_blur(const BlurFan& fan, double width_px,
                                              const Eigen::Ref<const Eigen::VectorXf>& coefficients,
-                                             double sharp, double blurred_share) {
+                                             double sharp, const BlurReading& reading) {
   const double blurred = coefficients.sum();
-  if (!(blurred > blurred_share * (sharp + blurred))) return std::nullopt;
+  if (!(blurred > reading.blurred_share * (sharp + blurred))) return std::nullopt;
 
   Eigen::VectorXf of_direction(fan.directions);
   for (int i = 0; i < fan.directions; ++i)
@@ -29,7 +29,7 @@ std::optional<BlurEstimate> motion_from_blur(const BlurFan& fan, double width_px
 
   // With one or two directions the neighbours on both sides would be the same.
   const int beside = fan.directions >= 3 ? 1 : 0;
-  double cosine = 0, sine = 0, length = 0, weight = 0;
+  double cosine = 0, sine = 0, lengths = 0, squares = 0, weight = 0;
   for (int neighbour = -beside; neighbour <= beside; ++neighbour) {
     const int i = (static_cast<int>(strongest) + neighbour + fan.directions) % fan.directions;
     for (int number = i * fan.lengths; number < (i + 1) * fan.lengths; ++number) {
@@ -37,11 +37,15 @@ std::optional<BlurEstimate> motion_from_blur(const BlurFan& fan, double width_px
       const double share = coefficients[number];
       cosine += share * std::cos(2 * motion.direction_rad);
       sine += share * std::sin(2 * motion.direction_rad);
-      length += share * motion.length_px;
+      lengths += share * motion.length_px;
+      squares += share * motion.length_px * motion.length_px;
       weight += share;
     }
   }
-  return BlurEstimate{.direction_rad = axial(0.5 * std::atan2(sine, cosine)), .length_px = length / weight};
+  const bool mean = reading.length == BlurReading::Length::mean;
+  const double length = mean ? lengths / weight : std::sqrt(squares / (weight + sharp));
+  if (!(length >= reading.least_blur * width_px)) return std::nullopt;
+  return BlurEstimate{.direction_rad = axial(0.5 * std::atan2(sine, cosine)), .length_px = length};
 }
 
 BlurEstimate seen_at(const particles::State& state, const BlurEstimate& motion) {

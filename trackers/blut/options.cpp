@@ -98,25 +98,32 @@ BlutOptions l1_options(const Options& given) {
 List blut_option_list() {
   const BlutOptions d;
   List list = sparse_option_list();
-  append(list,
-         {{"blur_templates", text(d.blur_templates), "",
-           "templates of the blurred target; without, no blur is told"},
-          {"directions", text(d.fan.directions), "", "directions of the blur templates; recalled"},
-          {"lengths", text(d.fan.lengths), "", "lengths of the blur templates; recalled"},
-          {"shortest_blur", text(d.fan.shortest), "", "shortest of them, of the target's width; assumed"},
-          {"longest_blur", text(d.fan.longest), "", "longest of them, of the target's width; assumed"},
-          {"blur_weight", text(d.blur_weight), "", "weight of the blur templates in the sum; assumed"},
-          {"direction_weight", text(d.direction_weight), "",
-           "how much dearer a blur template is that is across the last blur; off: only its form is recalled"},
-          {"blurred_share", text(d.blurred_share), "",
-           "part of the coefficients that blur templates have, above which the target is blurred; assumed"},
-          {"blur_lobes", text(d.proposal.blur_lobes), "",
-           "after a blurred frame, particles go where the blur says that the target went, on both sides"},
-          {"kappa", text(d.proposal.kappa), "",
-           "frame period over exposure: how many blur lengths the target moves in a frame; 33 ms over 28 ms"},
-          {"lobe_share", text(d.proposal.lobe_share), "", "part of the particles in the two lobes; assumed"},
-          {"lobe_spread", text(d.proposal.lobe_spread), "",
-           "spread of a lobe along the motion, of its distance; assumed"}});
+  append(
+      list,
+      {{"blur_templates", text(d.blur_templates), "",
+        "templates of the blurred target; without, no blur is told"},
+       {"directions", text(d.fan.directions), "", "directions of the blur templates; recalled"},
+       {"lengths", text(d.fan.lengths), "", "lengths of the blur templates; recalled"},
+       {"shortest_blur", text(d.fan.shortest), "", "shortest of them, of the target's width; assumed"},
+       {"longest_blur", text(d.fan.longest), "", "longest of them, of the target's width; assumed"},
+       {"blur_weight", text(d.blur_weight), "", "weight of the blur templates in the sum; assumed"},
+       {"direction_weight", text(d.direction_weight), "",
+        "how much dearer a blur template is that is across the last blur; off: only its form is recalled"},
+       {"blurred_share", text(d.reading.blurred_share), "",
+        "part of the coefficients that blur templates have, above which the target is blurred; assumed"},
+       {"least_blur", text(d.reading.least_blur), "",
+        "shortest blur that is told, of the target's width; assumed: an error of place of a sample looks "
+        "like a shorter one"},
+       {"blur_length", "spread", "",
+        "spread or mean: length that spreads as the sum of all templates does, or mean of the blurred ones, "
+        "as recalled, which is too long for short blurs"},
+       {"blur_lobes", text(d.proposal.blur_lobes), "",
+        "after a blurred frame, particles go where the blur says that the target went, on both sides"},
+       {"kappa", text(d.proposal.kappa), "",
+        "frame period over exposure: how many blur lengths the target moves in a frame; 33 ms over 28 ms"},
+       {"lobe_share", text(d.proposal.lobe_share), "", "part of the particles in the two lobes; assumed"},
+       {"lobe_spread", text(d.proposal.lobe_spread), "",
+        "spread of a lobe along the motion, of its distance; assumed"}});
   return list;
 }
 
@@ -132,7 +139,11 @@ BlutOptions blut_options(const Options& given) {
                             o.fan.shortest, o.fan.longest));
   o.blur_weight = given.number("blur_weight", 0, 10);
   o.direction_weight = given.number("direction_weight", 0, 1000);
-  o.blurred_share = given.number("blurred_share", 0, 1);
+  o.reading.blurred_share = given.number("blurred_share", 0, 1);
+  o.reading.least_blur = given.number("least_blur", 0, 5);
+  o.reading.length = given.word("blur_length", {"spread", "mean"}) == "mean"
+                         ? blut::BlurReading::Length::mean
+                         : blut::BlurReading::Length::spread;
   o.proposal.blur_lobes = given.flag("blur_lobes");
   o.proposal.kappa = given.number("kappa", 0, 1000);
   o.proposal.lobe_share = given.number("lobe_share", 0, 1);

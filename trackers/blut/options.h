@@ -4,6 +4,7 @@
 
 #include "core/options.h"
 #include "trackers/blut/blurred_looks.h"
+#include "trackers/blut/motion_from_blur.h"
 #include "trackers/blut/sparse_solver.h"
 #include "trackers/particles/filter.h"
 #include "trackers/particles/proposal.h"
@@ -20,7 +21,7 @@ struct BlutOptions {
   double template_weight = 0.01;  ///< w of the sharp templates
   double blur_weight = 0.01;      ///< w of the blur templates
   double direction_weight = 0;    ///< how much dearer templates are that blur across the last blur
-  double blurred_share = 0.4;     ///< of all coefficients, above which the target is blurred
+  blut::BlurReading reading;
   double update_angle_deg = 20;   ///< between a look and its best template, above which it becomes one
   double occlusion_level = 0.4;   ///< of a look's standard deviation: a sample that no template explains
   double occlusion_share = 0.25;  ///< of the grid, in one piece, above which the target is occluded

@@ -81,8 +81,7 @@ std::optional<BlurEstimate> SparseFollower::read_blur(std::size_t, const State& 
   if (!options_.blur_templates) return std::nullopt;
   const auto blurred = templates_->blurred(best_.coefficients);
   const double sharp = best_.coefficients.sum() - blurred.sum();
-  const auto motion =
-      blut::motion_from_blur(options_.fan, start_size().x, blurred, sharp, options_.blurred_share);
+  const auto motion = blut::motion_from_blur(options_.fan, start_size().x, blurred, sharp, options_.reading);
   if (options_.direction_weight > 0) {
     const auto direction = motion ? std::optional(motion->direction_rad) : std::nullopt;
     solver_->set_weights(templates_->weights(options_, direction));
