@@ -13,15 +13,15 @@ namespace relock {
 
 /// Of `blut`, and of `l1` as far as they do not concern blur. docs/blut.md says where each value comes from.
 struct BlutOptions {
-  particles::ParticleOptions particles;
-  particles::ProposalOptions proposal;
-  blut::BlurFan fan;
-  blut::SolverOptions solver;
+  particles::ParticleOptions particles = {};
+  particles::ProposalOptions proposal = {};
+  blut::BlurFan fan = {};
+  blut::SolverOptions solver = {};
   int templates = 10;             ///< sharp ones, that are updated
   double template_weight = 0.01;  ///< w of the sharp templates
   double blur_weight = 0.01;      ///< w of the blur templates
   double direction_weight = 0;    ///< how much dearer templates are that blur across the last blur
-  blut::BlurReading reading;
+  blut::BlurReading reading = {};
   double update_angle_deg = 20;   ///< between a look and its best template, above which it becomes one
   double occlusion_level = 0.4;   ///< of a look's standard deviation: a sample that no template explains
   double occlusion_share = 0.25;  ///< of the grid, in one piece, above which the target is occluded

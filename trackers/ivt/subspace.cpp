@@ -8,7 +8,7 @@
 namespace relock::ivt {
 namespace {
 
-constexpr double kLeastSingular = 1e-6;  // of the largest: below, a direction is rounding
+constexpr double kLeastSingular = 1e-6;  // of the mean and the largest: below, a direction is rounding
 
 }  // namespace
 
@@ -45,7 +45,8 @@ void Subspace::learn(const Eigen::MatrixXf& looks) {
 
   const Eigen::VectorXd& all = svd.singularValues();
   Eigen::Index kept = 0;
-  while (kept < std::min<Eigen::Index>(components_, all.size()) && all[kept] > kLeastSingular * all[0])
+  while (kept < std::min<Eigen::Index>(components_, all.size()) &&
+         all[kept] > kLeastSingular * (all[0] + mean_.norm()))
     ++kept;
   Eigen::MatrixXd both(batch.rows(), had + width);
   both << basis_, beyond;

@@ -10,7 +10,7 @@
 namespace relock {
 
 struct IvtOptions {
-  particles::ParticleOptions particles;
+  particles::ParticleOptions particles = {};
   int components = 16;       ///< directions in which looks may vary
   double forgetting = 0.95;  ///< what was learnt counts that much less with each batch
   int batch = 5;             ///< estimates learnt at a time

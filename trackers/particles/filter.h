@@ -14,7 +14,7 @@ namespace relock::particles {
 /// What `blut`, `l1` and `ivt` have in common, so that what each of them adds can be told.
 struct ParticleOptions {
   int particles = 400;
-  Grid grid;
+  Grid grid = {};
   double position_sigma = 0.12;   ///< of the random walk, per frame, of the target's width
   double scale_sigma = 0.015;     ///< of the logarithm of the scale
   double rotation_sigma = 0.005;  ///< rad

@@ -21,9 +21,9 @@ struct ProposalOptions {
 
 /// What the last frames tell of the motion.
 struct Motion {
-  State last;                        ///< the estimate
-  Vec2 velocity;                     ///< px a frame
-  std::optional<BlurEstimate> blur;  ///< in the picture; nothing when it was sharp
+  State last = {};                        ///< the estimate
+  Vec2 velocity = {};                     ///< px a frame
+  std::optional<BlurEstimate> blur = {};  ///< in the picture; nothing when it was sharp
 };
 
 /// Moves every particle on, in the mixture of two lobes at a distance of kappa blur lengths before and behind the last

@@ -9,7 +9,7 @@ namespace relock::particles {
 /// Where a particle puts the target: a similarity and an aspect, relative to the start box. (Six affine numbers
 /// are what l1's published code has; a shear is a thing that few targets do and that fits much of what is none.)
 struct State {
-  Vec2 centre;              ///< px
+  Vec2 centre = {};         ///< px
   double scale = 1;         ///< of the start box's width
   double aspect = 1;        ///< height over width, relative to the start box
   double rotation_rad = 0;  ///< from +x towards +y
