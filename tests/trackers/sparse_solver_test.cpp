@@ -275,7 +275,7 @@ TEST(SparseSolver, BoundsWellWhereTemplatesAreNearlyTheSame) {
   const Eigen::MatrixXd q = Eigen::MatrixXd(factors.householderQ()).leftCols(11),
                         y = looks.looks.cast<double>();
   for (Index i = 0; i < y.cols(); ++i)
-    EXPECT_NEAR(bounds(i), y.col(i).squaredNorm() - (q.transpose() * y.col(i)).squaredNorm(), 1e-4) << i;
+    EXPECT_NEAR(bounds(i), y.col(i).squaredNorm() - (q.transpose() * y.col(i)).squaredNorm(), 2e-6) << i;
 }
 
 TEST(SparseSolver, TakesFromATemplateSeenAloneItsWeight) {

@@ -18,7 +18,7 @@ constexpr Eigen::Index kLanes = 4;
 constexpr std::size_t kTried = 4;
 
 /// A template adds to the basis if so much of it is not explained by those before.
-constexpr float kNewDirection = 1e-5F;
+constexpr double kNewDirection = 1e-6;
 
 Eigen::Index padded(Eigen::Index pixels) { return (pixels + kLanes - 1) / kLanes * kLanes; }
 
@@ -40,7 +40,6 @@ SparseSolver::SparseSolver(const Eigen::MatrixXf& dictionary, const Eigen::Vecto
       loss_(loss_of(options)),
       pixels_(dictionary.rows()),
       dictionary_(Eigen::MatrixXf::Zero(padded(dictionary.rows()), dictionary.cols())),
-      basis_(dictionary_.rows(), dictionary_.cols()),
       steps_(dictionary_.rows(), dictionary_.cols(), loss_),
       residual_(Eigen::ArrayXf::Zero(dictionary_.rows())),
       slopes_(dictionary_.rows()),
@@ -70,30 +69,29 @@ void SparseSolver::set_weights(const Eigen::VectorXf& weights) {
   weights_ = weights;
 }
 
-/// Gram and Schmidt's, each template twice: once leaves rounding errors that a nearly dependent one would
-/// blow up.
+/// Gram and Schmidt's, in double: rounding errors of float would be blown up where templates are nearly the
+/// same.
 void SparseSolver::find_basis() {
-  basis_size_ = 0;
-  Eigen::VectorXf direction(dictionary_.rows());
+  Eigen::MatrixXd basis(dictionary_.rows(), templates());
+  Eigen::VectorXd direction;
+  Eigen::Index size = 0;
   for (Eigen::Index j = 0; j < templates(); ++j) {
-    const auto found = basis_.leftCols(basis_size_);
-    direction = dictionary_.col(j);
+    const auto found = basis.leftCols(size);
+    direction = dictionary_.col(j).cast<double>();
+    const double length = direction.norm();
     direction -= found * (found.transpose() * direction);
-    const float length = direction.norm();
-    if (!(length > kNewDirection * dictionary_.col(j).norm())) continue;
-    direction /= length;
-    direction -= found * (found.transpose() * direction);
-    basis_.col(basis_size_++) = direction.normalized();
+    if (direction.norm() > kNewDirection * length) basis.col(size++) = direction.normalized();
   }
+  basis_ = basis.leftCols(size).cast<float>();
 }
 
 void SparseSolver::bound(const Eigen::Ref<const Eigen::MatrixXf>& looks, Eigen::VectorXf& bounds) const {
   check_size(looks.rows());
   bounds.resize(looks.cols());
-  Eigen::VectorXf look = Eigen::VectorXf::Zero(dictionary_.rows()), parts(basis_size_);
+  Eigen::VectorXf look = Eigen::VectorXf::Zero(dictionary_.rows()), parts(basis_.cols());
   for (Eigen::Index i = 0; i < looks.cols(); ++i) {
     look.head(pixels_) = looks.col(i);
-    parts.noalias() = basis_.leftCols(basis_size_).transpose() * look;
+    parts.noalias() = basis_.transpose() * look;
     bounds(i) = std::max(0.F, look.squaredNorm() - parts.squaredNorm());
   }
 }

@@ -111,8 +111,7 @@ class SparseSolver {
   Eigen::Index pixels_;
   Eigen::MatrixXf dictionary_;
   Eigen::VectorXf weights_;
-  Eigen::MatrixXf basis_;  // Q; its first basis_size_ columns
-  Eigen::Index basis_size_ = 0;
+  Eigen::MatrixXf basis_;  // Q
   NewtonSteps steps_;
 
   // Of the look that is being solved.
