@@ -1,7 +1,9 @@
 #include "trackers/builtin.h"
 
+#include "trackers/blut/tracker.h"
 #include "trackers/dlib_tracker.h"
 #include "trackers/flow_tracker.h"
+#include "trackers/ivt/tracker.h"
 #include "trackers/legacy_tracker.h"
 #include "trackers/network_tracker.h"
 #include "trackers/opencv_tracker.h"
@@ -105,6 +107,28 @@ void add_others(Registry<TrackerEntry>& registry) {
                 .make = [](const Options& o, std::uint64_t) { return flow_tracker(flow_options(o)); }});
 }
 
+void add_particle_trackers(Registry<TrackerEntry>& registry) {
+  registry.add(
+      {.name = "blut",
+       .sentence = "blur-driven tracker: sharp, blurred and trivial templates in a sparse sum; tells the "
+                   "blur and looks along it",
+       .options = blut_option_list(),
+       .honours_expect = true,
+       .make = [](const Options& o, std::uint64_t seed) { return blut_tracker(blut_options(o), seed); }});
+  registry.add(
+      {.name = "l1",
+       .sentence = "sparse sum of sharp and trivial templates: what blut extends",
+       .options = l1_option_list(),
+       .honours_expect = true,
+       .make = [](const Options& o, std::uint64_t seed) { return l1_tracker(l1_options(o), seed); }});
+  registry.add(
+      {.name = "ivt",
+       .sentence = "incremental visual tracker: a mean look and the directions in which it varies",
+       .options = ivt_option_list(),
+       .honours_expect = true,
+       .make = [](const Options& o, std::uint64_t seed) { return ivt_tracker(ivt_options(o), seed); }});
+}
+
 void add_yardsticks(Registry<TrackerEntry>& registry) {
   registry.add({.name = "still",
                 .sentence = "says the start box for ever",
@@ -123,6 +147,7 @@ void add_builtin_trackers(Registry<TrackerEntry>& registry) {
   add_legacy(registry);
   add_networks(registry);
   add_others(registry);
+  add_particle_trackers(registry);
   add_yardsticks(registry);
 }
 

@@ -43,6 +43,7 @@ class CheckedTracker final : public Tracker {
       throw Error(fmt::format("{} was started already; a restart takes a new object", name_));
     const Box seen = startable_box(name_, frame.image, box);
     size_ = frame.image.size();
+    last_captured_ = frame.captured;
     state_ = State::failed;
     guarded(name_, "start", [&] { follower_->start(frame.image, seen); });
     state_ = State::running;
@@ -50,6 +51,7 @@ class CheckedTracker final : public Tracker {
 
   std::optional<Sighting> track(const Frame& frame) override {
     check_running(frame);
+    last_captured_ = frame.captured;
     state_ = State::failed;
     auto seen = guarded(name_, "go on", [&] { return follower_->follow(frame.image); });
     state_ = State::running;
@@ -76,12 +78,16 @@ class CheckedTracker final : public Tracker {
     if (size != size_)
       throw Error(fmt::format("{} was started on pictures of {} x {} px and given one of {} x {} px", name_,
                               size_.width, size_.height, size.width, size.height));
+    if (frame.captured < last_captured_)
+      throw Error(fmt::format("{} was given a frame of {:.9f} s after one of {:.9f} s: time runs backwards",
+                              name_, seconds(frame.captured), seconds(last_captured_)));
   }
 
   std::string name_;
   std::unique_ptr<Follower> follower_;
   State state_ = State::fresh;
   Size size_;
+  Time last_captured_;
 };
 
 }  // namespace
