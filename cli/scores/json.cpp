@@ -58,6 +58,17 @@ Json to_json(const Localization& l) {
           {"share_within", within}};
 }
 
+Json to_json(const BlurAccuracy& b) {
+  return {{"blurred", b.blurred},
+          {"told", b.told},
+          {"sharp", b.sharp},
+          {"sharp_blurred", b.sharp_blurred},
+          {"direction_median_deg", number(b.direction_median_deg)},
+          {"direction_p95_deg", number(b.direction_p95_deg)},
+          {"length_median_percent", number(b.length_median_percent)},
+          {"length_p95_percent", number(b.length_p95_percent)}};
+}
+
 Json to_json(const Scores& s) {
   Json verdicts, kinds;
   for (std::size_t v = 0; v < kVerdicts; ++v)
@@ -98,6 +109,7 @@ Json to_json(const Scores& s) {
           {"time_to_recover", to_json(s.recovery)},
           {"survival", to_json(s.survival)},
           {"localization", to_json(s.localization)},
+          {"blur", to_json(s.blur)},
           {"by_blur", bins(s.by_blur, blur_bin_name)},
           {"by_gap", bins(s.by_gap, gap_bin_name)}};
 }

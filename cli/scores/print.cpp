@@ -42,6 +42,12 @@ bool has_costs(const ScoreTable& table) {
                      [](const MethodPool& method) { return !method.costs.empty(); });
 }
 
+bool tells_blur(const JudgedTable& judged) {
+  return std::any_of(judged.methods.begin(), judged.methods.end(), [](const JudgedMethod& method) {
+    return method.scores.blur.told + method.scores.blur.sharp_blurred > 0;
+  });
+}
+
 class Printer {
  public:
   explicit Printer(TableFormat format) : format_(format) {}
@@ -100,6 +106,7 @@ class Printer {
   void print_one(const JudgedTable& judged, const std::string& what) {
     subtitle(what);
     fmt::print("{}\n{}", keeping_table(judged).in(format_), exactness_table(judged).in(format_));
+    if (tells_blur(judged)) fmt::print("\n{}", blur_table(judged).in(format_));
     if (!judged.table.conditions.real_time.empty())
       fmt::print("\n{}", real_time_table(judged.table).in(format_));
   }
@@ -127,6 +134,7 @@ void print_tables(const std::vector<JudgedTable>& tables, TableFormat format,
   if (format != TableFormat::text || tables.empty()) return;
   for (const std::string& end : ends) fmt::print("  {}\n", end);
   fmt::print("{}", table_footnote());
+  if (std::any_of(tables.begin(), tables.end(), tells_blur)) fmt::print("{}", blur_footnote());
   if (std::any_of(tables.begin(), tables.end(),
                   [](const JudgedTable& t) { return !t.table.conditions.real_time.empty(); }))
     fmt::print("{}", real_time_footnote());

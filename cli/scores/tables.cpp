@@ -119,6 +119,20 @@ Table exactness_table(const JudgedTable& judged) {
   return table;
 }
 
+Table blur_table(const JudgedTable& judged) {
+  Table table(
+      {"method", "blurred", "told", "direction deg", "p95", "length %", "p95", "sharp", "said blurred"});
+  for (std::size_t i = 0; i < judged.methods.size(); ++i) {
+    const BlurAccuracy& b = judged.methods[i].scores.blur;
+    if (b.told + b.sharp_blurred == 0) continue;
+    table.add({judged.table.methods[i].method, fmt::format("{}", b.blurred), part_cell(b.told, b.blurred),
+               cell(b.direction_median_deg, 1), cell(b.direction_p95_deg, 1),
+               cell(b.length_median_percent, 1), cell(b.length_p95_percent, 1), fmt::format("{}", b.sharp),
+               part_cell(b.sharp_blurred, b.sharp)});
+  }
+  return table;
+}
+
 Table real_time_table(const ScoreTable& table) {
   Table lines({"method", "own frames", "skipped", "in force", "slowness", "gaps", "failure", "age s", "p95"});
   for (const MethodPool& method : table.methods) {
@@ -181,6 +195,13 @@ std::string_view table_footnote() {
   tell it from the best; yardsticks apart. recover s: Kaplan-Meier median, > where no more than half recovered while watched.
   silent: share of lost time with a wrong answer. age s: of the newest Hit, median and p95. e px, p95, % D: position error
   over Hits, < where it is below the accuracy of the labels (two standard deviations). common e: over Hits common to all.
+)";
+}
+
+std::string_view blur_footnote() {
+  return R"(
+  blurred, sharp: Hits where the true blur is at least .1 D, at most .05 D. told: share of blurred with an estimate, and
+  how far that is off the true direction and length, median and p95. said blurred: share of sharp with one over .1 D.
 )";
 }
 

@@ -21,6 +21,8 @@ std::string heading(const ScoreTable& table);
 Table keeping_table(const JudgedTable& judged);
 /// What it says and how exactly: precision, silent share, fix age, localization.
 Table exactness_table(const JudgedTable& judged);
+/// How well methods tell the blur; those that told none are left out.
+Table blur_table(const JudgedTable& judged);
 /// What methods saw of the recording in real time, what a controller had of their answers, and what was lost to
 /// slowness, gaps and failure.
 Table real_time_table(const ScoreTable& table);
@@ -31,6 +33,7 @@ Table bins_table(const std::vector<const JudgedTable*>& bins);
 
 /// What the columns mean.
 std::string_view table_footnote();
+std::string_view blur_footnote();
 std::string_view real_time_footnote();
 
 }  // namespace relock

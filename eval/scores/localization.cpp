@@ -52,7 +52,7 @@ std::vector<Fix> fixes(const Recording& recording, const Trajectory& trajectory,
     const Sighting& seen =
         trajectory.frames[frame].sightings[static_cast<std::size_t>(judgements[frame].sighting)];
     all.push_back({frame, target, seen.centre - truth.centre(seen.centre_kind), truth.size_px(), truth.blur,
-                   truth.sigma_px});
+                   truth.sigma_px, seen.blur});
   }
   return all;
 }

@@ -15,8 +15,9 @@ struct Fix {
   std::size_t target = 0;
   Vec2 error_px;                   ///< reported - true
   double size_px = 0;              ///< D
-  std::optional<BlurVector> blur;  ///< true blur there, px
-  double sigma_px = 0;             ///< accuracy of the label there
+  std::optional<BlurVector> blur;         ///< true blur there, px
+  double sigma_px = 0;                    ///< accuracy of the label there
+  std::optional<BlurEstimate> told_blur;  ///< what the method says of it
 };
 
 /// All Hits on one target, in order.

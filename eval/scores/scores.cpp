@@ -102,6 +102,7 @@ Scores scores_of(const Tally& tally) {
   how_time_passed(tally, s);
   what_was_lost(tally, s);
   s.localization = localize(tally.fixes, static_cast<std::size_t>(tally.sum.could_hit));
+  s.blur = blur_accuracy(tally.fixes);
   s.by_blur = tally.by_blur;
   s.by_gap = tally.by_gap;
   return s;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "eval/scores/blur_accuracy.h"
 #include "eval/scores/tally.h"
 
 namespace relock {
@@ -53,6 +54,7 @@ struct Scores {
   Recovery recovery;
   TrackingSurvivals survival;  ///< after every start or reset
   Localization localization;
+  BlurAccuracy blur;
   std::array<HitCount, kBlurBinCount> by_blur{};  ///< recognition apart by the length of the true blur
   std::array<HitCount, kGapBinCount> by_gap{};    ///< recognition apart by the gap before the frame
 };

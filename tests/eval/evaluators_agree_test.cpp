@@ -184,6 +184,11 @@ Fields fields(const Scores& s) {
   add("label_sigma_px", l.label_sigma_px);
   for (std::size_t i = 0; i < l.within.size(); ++i)
     add("localization.within " + std::to_string(i), l.within[i]);
+  const BlurAccuracy& b = s.blur;
+  add_count("blurred", b.blurred), add_count("told", b.told);
+  add_count("sharp", b.sharp), add_count("sharp_blurred", b.sharp_blurred);
+  add("direction_median_deg", b.direction_median_deg), add("direction_p95_deg", b.direction_p95_deg);
+  add("length_median_percent", b.length_median_percent), add("length_p95_percent", b.length_p95_percent);
   return all;
 }
 

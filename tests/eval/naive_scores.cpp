@@ -88,6 +88,7 @@ struct HitAt {
   double px, size, sigma;
   Vec2 error;  // reported - true
   std::optional<Vec2> blur;
+  std::optional<BlurEstimate> told;
 };
 
 Share mean(const Numbers& values) {
@@ -151,6 +152,31 @@ Localization localization_of(const std::vector<HitAt>& hits, size_t frames_to_re
   return result;
 }
 
+// Blurred from .1 D on, sharp up to .05 D. The angle between two lines is told by trying all of their senses.
+BlurAccuracy blur_accuracy_of(const std::vector<HitAt>& hits) {
+  BlurAccuracy result;
+  Numbers degrees, percent;
+  for (const HitAt& hit : hits) {
+    if (!hit.blur) continue;
+    const double length = distance(*hit.blur, {}), part = length / hit.size;
+    if (part <= 0.05) ++result.sharp;
+    if (part <= 0.05 && hit.told && hit.told->length_px > 0.1 * hit.size) ++result.sharp_blurred;
+    if (part < 0.1) continue;
+    ++result.blurred;
+    if (!hit.told) continue;
+    ++result.told;
+    double least = 360;
+    const double to = std::atan2(hit.blur->y, hit.blur->x) * 180 / M_PI;
+    for (const double turned : {-360., -180., 0., 180., 360.})
+      least = std::min(least, std::abs(hit.told->direction_rad * 180 / M_PI + turned - to));
+    degrees.push_back(least);
+    percent.push_back(100 * std::abs(hit.told->length_px / length - 1));
+  }
+  result.direction_median_deg = percentile(degrees, 50), result.direction_p95_deg = percentile(degrees, 95);
+  result.length_median_percent = percentile(percent, 50), result.length_p95_percent = percentile(percent, 95);
+  return result;
+}
+
 // --- Everything that is pooled by adding up or by putting together.
 
 struct Heap {
@@ -187,8 +213,9 @@ void add_target(Heap& heap, const Recording& recording, const Trajectory& trajec
     hits.push_back(looks[k].captured);
     const TargetTruth& truth = recording.truth[k * recording.targets.size() + t];
     const Vec2 error{looks[k].reported.x - looks[k].truth.x, looks[k].reported.y - looks[k].truth.y};
-    heap.hits.push_back(
-        {judgement.error_px, outline_size(*truth.outline), truth.sigma_px, error, truth.blur});
+    const auto sighting = static_cast<size_t>(judgement.sighting);
+    heap.hits.push_back({judgement.error_px, outline_size(*truth.outline), truth.sigma_px, error, truth.blur,
+                         trajectory.frames[k].sightings[sighting].blur});
   }
   heap.visible += total(visible);
   heap.locked += spent_in(State::Locked, visible, timeline.states);
@@ -235,6 +262,7 @@ Scores scores_of(const Heap& heap) {
   s.mean_time_between_losses_s = ratio(s.locked_s, static_cast<double>(s.losses));
   s.recovery = recovery_of(heap.losses);
   s.localization = localization_of(heap.hits, heap.to_recognise);
+  s.blur = blur_accuracy_of(heap.hits);
   return s;
 }
 

@@ -200,6 +200,9 @@ struct Follower {
     if (reads && random.chance(0.8)) sighting.code = recording.targets[target].code;
     if (reads && (mood == Mood::impostor || random.chance(0.03)))
       sighting.code = Code{"dot", one_of<std::string>(random, {"1", "2", "9"})};
+    if (random.chance(0.5))
+      sighting.blur = BlurEstimate{.direction_rad = 0.1 * between(random, 0, 31),
+                                   .length_px = 1.0 * between(random, 0, 30)};
     return sighting;
   }
 };
