@@ -83,6 +83,16 @@ void add_results_verb(CLI::App& app, ResultsArguments& a, const std::string& nam
   add_gate(verb, a.gate, "when an answer is a Hit");
 }
 
+void add_gain(CLI::App& app, GainArguments& a) {
+  CLI::App& verb = *app.add_subcommand(
+      "gain", "Tell what combinations gain over the tracker in them, from runs made with --paired");
+  verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
+  verb.add_option("--score", a.score, "locked-share, recognition, availability or losses")
+      ->capture_default_str();
+  add_gate(verb, a.gate, "when an answer is a Hit; else the one by which resets were judged, else centre");
+  verb.add_flag("--json", a.json, "print all scores as JSON");
+}
+
 void add_explain(CLI::App& app, ExplainArguments& a) {
   CLI::App& verb = *app.add_subcommand(
       "explain", "Tell every loss in order: when, over which gap, in which picture, how it ended");
@@ -318,6 +328,7 @@ void add_verbs(CLI::App& app, Arguments& arguments) {
   add_score(app, arguments.score);
   add_results_verb(app, arguments.cost, "cost",
                    "Tell what the gaps cost each method, from runs made with --paired");
+  add_gain(app, arguments.gain);
   add_explain(app, arguments.explain);
   add_timeline(app, arguments.timeline);
   add_results_verb(app, arguments.survival, "survival",

@@ -160,6 +160,14 @@ Bound<TrackerEntry> tracker_combination(const Methods& methods, const MethodSpec
   return bound;
 }
 
+/// Which part of a combination the tracker is; nothing: none.
+std::optional<std::size_t> tracker_place(const MethodSpec& spec) {
+  const std::vector<Part>& parts = combination(spec.name).parts;
+  for (std::size_t p = 0; p < std::min(parts.size(), spec.parts.size()); ++p)
+    if (parts[p] == Part::tracker) return p;
+  return std::nullopt;
+}
+
 template <class Entry>
 Bound<Entry> bound_entry(const Entry& entry, const MethodSpec& spec) {
   Bound<Entry> bound{entry, Options(entry.name, entry.options, spec.options)};
@@ -181,6 +189,19 @@ const std::vector<CombinationInfo>& combinations() {
 
 bool is_tracker_combination(const std::string& name) {
   return is_combination(name) && combination(name).tracker;
+}
+
+std::optional<MethodSpec> tracker_in(const MethodSpec& spec) {
+  if (!is_combination(spec.name)) return spec;
+  const auto place = tracker_place(spec);
+  return place ? tracker_in(spec.parts[*place]) : std::nullopt;
+}
+
+MethodSpec with_tracker(const MethodSpec& spec, const std::string& name) {
+  if (!is_combination(spec.name)) return {name};
+  MethodSpec changed = spec;
+  if (const auto place = tracker_place(spec)) changed.parts[*place] = with_tracker(spec.parts[*place], name);
+  return changed;
 }
 
 void check_parts(const Methods& methods, const MethodSpec& spec) {
