@@ -216,6 +216,10 @@ void add_jump(CLI::App& app, JumpArguments& a) {
   verb.add_option("--target", a.target, "its target, as `relock marker` takes it; else apriltag36h11:0");
   verb.add_option("--exposure", a.exposure_ms, "exposure time of the flights in ms, which makes the blur");
   verb.add_option("--seeds", a.seeds, "how many flights")->check(CLI::Range(1, 1000))->capture_default_str();
+  verb.add_option("--before", a.before,
+                  "frames from the start to the gap; 0: the gap follows the start at once")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
   verb.add_flag("--no-time-gap", a.no_time_gap, "the same jumps, but the clock as if no frame were missing");
   verb.add_option("--out", a.out, "folder of the flights; what is there already is not flown again")
       ->capture_default_str();

@@ -27,6 +27,7 @@ std::vector<OptionInfo> gap_option_list() {
       {"margin", fmt::format("{}", d.margin), "",
        "correlation by which another place must be more alike than the old one; for trackers that take no "
        "hints"},
+      {"rate_hz", "learned", "Hz", "nominal rate; learned: from the frames so far, of which it takes three"},
       {"spread", fmt::format("{}", d.spread), "",
        "uncertainty of the predicted place for each missing period, in sizes of the target"}};
 }
@@ -101,7 +102,9 @@ std::string kind_of(const Methods& methods, const std::string& name) {
 }
 
 GapOptions gap_options(const Options& given) {
-  return {.spread = given.number("spread", 0, 10), .margin = given.number("margin", 0, 2)};
+  GapOptions options{.spread = given.number("spread", 0, 10), .margin = given.number("margin", 0, 2)};
+  if (given.word("rate_hz") != "learned") options.period_s = 1 / given.number("rate_hz", 0.01, 100000);
+  return options;
 }
 
 GapOptions blur_options(const Options& given) {

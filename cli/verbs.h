@@ -166,6 +166,7 @@ struct JumpArguments {
   std::optional<std::string> target;
   std::optional<double> exposure_ms;
   int seeds = 8;
+  int before = 8;  ///< frames shown between the start and the gap
   bool no_time_gap = false;
   std::filesystem::path out = "jump";
   std::optional<std::filesystem::path> plot;
