@@ -115,8 +115,8 @@ std::unique_ptr<Tracker> gap_aware(TrackerFactory make_tracker, Hints hints,
 /// Estimates of blur may be poor. So the blur must have told better than the answers did: the medians of both
 /// errors, over the same steps from frame to frame. Until 5 steps are seen it is believed if E is given.
 ///
-/// Where one answer is all there is, right after a start, nobody knows which way, and the target is looked for on both
-/// sides: a tracker that honours hints is told the old place with the distance as uncertainty. At the first frame after
+/// Where the answers do not tell which way (right after a start there is one; some trackers stand still in their first
+/// frame), the target is looked for on both sides: a tracker that honours hints is told the old place with the distance as uncertainty. At the first frame after
 /// the start the nominal period must be given, else no gap is known for one.
 ///
 /// The blur is the tracker's own (Sighting::blur), else what `meter` says. Where neither says any

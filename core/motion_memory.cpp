@@ -11,7 +11,8 @@ constexpr std::size_t kFramesKept = 64;
 constexpr std::size_t kLeastToLearn = 5;
 constexpr double kLeastBlurPx = 2;  // shorter ones are measured too coarsely to learn from
 constexpr double kKappaAtFirst = 2;
-constexpr double kSamePx = 1e-3;  // errors that differ by less are equal: rounding
+constexpr double kLeastAgreement = 0.25;  // of the blur's speed, in the answers: else they know no way
+constexpr double kSamePx = 1e-3;          // errors that differ by less are equal: rounding
 
 double interval_in(Duration period, Time from, Time to) { return seconds(to - from) / seconds(period); }
 
@@ -67,8 +68,9 @@ std::vector<Vec2> MotionMemory::velocities_by_blur() const {
   const Vec2 along =
       blur.length_px * per_second * Vec2{std::cos(blur.direction_rad), std::sin(blur.direction_rad)};
   const auto way = velocity();
-  if (!way) return {along, -1 * along};
-  return {dot(along, *way) < 0 ? -1 * along : along};
+  const double forward = way ? dot(along, *way) : 0;
+  if (std::abs(forward) < kLeastAgreement * dot(along, along)) return {along, -1 * along};
+  return {forward < 0 ? -1 * along : along};
 }
 
 std::optional<bool> MotionMemory::blur_tells_better() const {
