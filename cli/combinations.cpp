@@ -27,7 +27,7 @@ std::vector<OptionInfo> gap_option_list() {
       {"margin", fmt::format("{}", d.margin), "",
        "correlation by which another place must be more alike than the old one; for trackers that take no "
        "hints"},
-      {"rate_hz", "learned", "Hz", "nominal rate; learned: from the frames so far, of which it takes three"},
+      {"rate_hz", "learned", "Hz", "nominal rate; learned: from the frames so far, from the third on"},
       {"spread", fmt::format("{}", d.spread), "",
        "uncertainty of the predicted place for each missing period, in sizes of the target"}};
 }

@@ -90,7 +90,7 @@ struct GapOptions {
   double spread = 0.1;  ///< sizes: how uncertain a predicted place is, for each period that is missing
   double margin = 0.1;  ///< how much more alike than the old place a new one must look to start there
   std::optional<double> period_s =
-      {};  ///< nominal; empty: estimated from the frames, of which it takes three
+      {};  ///< nominal; empty: estimated from the frames, from the third on
   std::optional<double> exposure_s = {};  ///< blur_predict only; empty: learned from the frames
 };
 
