@@ -32,15 +32,6 @@ std::string gain_cell(CostScore score, const Gained& gained) {
   return text + (verdict_on(score, gained) != 0 ? "*" : " ");
 }
 
-/// The columns of all rows, each once.
-std::vector<std::string> columns_of_all(const GainExperiment& e) {
-  std::vector<std::string> columns;
-  for (const GainRow& row : e.rows)
-    for (const std::string& column : row.columns)
-      if (std::find(columns.begin(), columns.end(), column) == columns.end()) columns.push_back(column);
-  return columns;
-}
-
 void add_line(Table& table, const std::vector<std::string>& columns, const GainRow& row, CostScore score,
               std::array<Gained, kRatioScores> MemberGain::*arm, std::vector<std::string> line) {
   for (const std::string& column : columns) {
@@ -136,13 +127,12 @@ Json json_of(const GainExperiment& e, const GainRow& row, std::size_t member) {
 }  // namespace
 
 std::string gain_text(const GainExperiment& experiment, CostScore score) {
-  const auto columns = columns_of_all(experiment);
   std::vector<std::string> header{"", "gaps"};
-  header.insert(header.end(), columns.begin(), columns.end());
+  header.insert(header.end(), experiment.columns.begin(), experiment.columns.end());
   Table table(header);
   for (const GainRow& row : experiment.rows) {
-    add_line(table, columns, row, score, &MemberGain::without, {row.tracker, "without"});
-    add_line(table, columns, row, score, &MemberGain::with, {"", "with"});
+    add_line(table, experiment.columns, row, score, &MemberGain::without, {row.tracker, "without"});
+    add_line(table, experiment.columns, row, score, &MemberGain::with, {"", "with"});
   }
   return heading(experiment) + "\n" + table.text(2) + "\n" + reservations(experiment) + footnote(score);
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "cli/arms.h"
 #include "cli/combinations.h"
@@ -11,6 +13,11 @@
 
 namespace relock {
 namespace {
+
+template <class Value>
+void add_new(std::vector<Value>& all, const Value& value) {
+  if (std::find(all.begin(), all.end(), value) == all.end()) all.push_back(value);
+}
 
 /// A method in the results: its arms, in the order of the results.
 struct Member {
@@ -42,12 +49,26 @@ bool is_alone(const Member& member) {
   return !is_combination(member.spec.name) || member.spec.name == "track" || member.spec.name == "detect";
 }
 
-/// Combinations that are trackers first, then by name.
-bool stands_before(const Member* a, const Member* b) {
-  const auto key = [](const Member* m) {
-    return std::pair(!is_tracker_combination(m->spec.name), m->method);
-  };
-  return key(a) < key(b);
+std::string column_of(const Member& member) {
+  return is_alone(member) ? "alone" : with_tracker(member.spec, "T").text();
+}
+
+/// Columns stand in this order: the method alone, combinations that are trackers, the others.
+auto place_of(const Member& member) {
+  const auto& names = combination_names();
+  const auto kind = std::find(names.begin(), names.end(), member.spec.name) - names.begin();
+  return std::tuple(!is_alone(member), !is_tracker_combination(member.spec.name), is_alone(member) ? 0 : kind,
+                    column_of(member));
+}
+
+bool stands_before(const Member* a, const Member* b) { return place_of(*a) < place_of(*b); }
+
+std::vector<std::string> columns_of(const std::vector<Member>& members) {
+  std::set<decltype(place_of(members.front()))> places;
+  for (const Member& member : members) places.insert(place_of(member));
+  std::vector<std::string> columns;
+  for (const auto& place : places) add_new(columns, std::get<std::string>(place));
+  return columns;
 }
 
 /// The arms of `member` on the same recording with the same gaps; nothing when there are none.
@@ -96,7 +117,7 @@ GainRow row_of(const std::vector<const Member*>& members, const Gate& gate) {
   GainRow row{.tracker = alone.spec.text(), .methods = {}, .columns = {}, .gain = {}};
   for (const Member* member : members) {
     row.methods.push_back(member->method);
-    row.columns.push_back(member == &alone ? "alone" : with_tracker(member->spec, "T").text());
+    row.columns.push_back(column_of(*member));
     row.deterministic = row.deterministic && member->arms.front()->with.record.deterministic;
   }
   const auto arms = families_of(members);
@@ -108,20 +129,16 @@ GainRow row_of(const std::vector<const Member*>& members, const Gate& gate) {
   return row;
 }
 
-template <class Value>
-void add_new(std::vector<Value>& all, const Value& value) {
-  if (std::find(all.begin(), all.end(), value) == all.end()) all.push_back(value);
-}
-
 GainExperiment experiment_on(const std::vector<Arms>& all, const std::optional<std::string>& gate) {
   const StoredComparison& conditions = all.front().conditions;
   const RunRecord& first = conditions_of(conditions);
-  GainExperiment experiment{first.gaps, first.showing(), gate_of(conditions, gate), {}, {}, {}, {}};
+  GainExperiment experiment{first.gaps, first.showing(), gate_of(conditions, gate), {}, {}, {}, {}, {}};
   for (const Arms& arms : all) {
     add_new(experiment.recordings, arms.conditions.recording.name);
     add_new(experiment.seeds, arms.with.record.seed);
   }
   const std::vector<Member> members = members_of(all);
+  experiment.columns = columns_of(members);
   std::map<std::string, std::vector<const Member*>> combined;
   for (const Member& member : members)
     if (!is_alone(member)) combined[tracker_name(member).value_or("")].push_back(&member);

@@ -28,6 +28,7 @@ struct GainExperiment {
   std::vector<std::string> recordings;
   std::vector<std::uint64_t> seeds;
   std::vector<GainRow> rows;
+  std::vector<std::string> columns;           ///< of all rows, as they stand in the table
   std::vector<std::string> alone_is_missing;  ///< combinations whose tracker alone was not run
 };
 
