@@ -89,15 +89,15 @@ enum class Hints : std::uint8_t { honoured, ignored };
 struct GapOptions {
   double spread = 0.1;  ///< sizes: how uncertain a predicted place is, for each period that is missing
   double margin = 0.1;  ///< how much more alike than the old place a new one must look to start there
-  std::optional<double> period_s =
-      {};  ///< nominal; empty: estimated from the frames, from the third on
+  std::optional<double> period_s = {};    ///< nominal; empty: estimated from the frames, from the third on
   std::optional<double> exposure_s = {};  ///< blur_predict only; empty: learned from the frames
 };
 
 /// A tracker that knows the time since the last frame. After a gap it is told (Tracker::expect) where the
 /// target is thought to be: at constant velocity, from the last two answers over their true times, give or take `spread`
 /// sizes for each missing period. A tracker that ignores hints has its target looked for there by `searcher`:
-/// when another place looks more alike than the old one by `margin`, a new tracker starts there.
+/// when another place looks more alike than the old one by `margin`, a new tracker starts there. Where no velocity is known,
+/// right after a start, it is looked for about the old place.
 ///
 /// Where no frame is missing it does what its tracker does, to the bit.
 std::unique_ptr<Tracker> gap_aware(TrackerFactory make_tracker, Hints hints,

@@ -65,7 +65,6 @@ class GapTracker final : public Tracker {
 
   std::optional<Sighting> track_after_gap(const Frame& frame) {
     const auto priors = predicted();
-    if (priors.empty()) return tracker_->track(frame);
     if (hints_ == Hints::honoured) {
       const Prior hint = over_all(priors);
       tracker_->expect(hint.box, hint.sigma_px);
@@ -75,7 +74,7 @@ class GapTracker final : public Tracker {
     return tracker_->track(frame);
   }
 
-  /// One, or two where a blur has no sign.
+  /// One, or two where a blur has no sign; none at all is known where the target is taken to stay.
   std::vector<Vec2> velocities() const {
     const auto by_answers = memory_.velocity();
     const bool ask_blur =
@@ -83,7 +82,7 @@ class GapTracker final : public Tracker {
         (!by_answers || memory_.blur_tells_better().value_or(options_.exposure_s.has_value()));
     std::vector<Vec2> velocities;
     if (ask_blur) velocities = memory_.velocities_by_blur();
-    if (velocities.empty() && by_answers) velocities = {*by_answers};
+    if (velocities.empty()) velocities = {by_answers.value_or(Vec2{})};
     return velocities;
   }
 

@@ -217,7 +217,10 @@ TEST(GapAware, KnowsGapsForGapsFromTheStartWhereTheRateIsGiven) {
     tracker->start(wide_frame(0), box_at(50));
     tracker->track(wide_frame(5));  // a period, as far as anybody knows who is not told
     tracker->track(wide_frame(10));
-    EXPECT_EQ(log->expected.size(), given ? 1u : 0u);
+    ASSERT_EQ(log->expected.size(), given ? 2u : 0u);
+    if (!given) continue;
+    EXPECT_EQ(centre_of(log->expected[0].first).x, 50);  // no velocity is known yet: about the old place
+    EXPECT_NEAR(centre_of(log->expected[1].first).x, 50 + 6 * 10, 6 + 1e-4);
   }
 }
 
