@@ -83,6 +83,16 @@ void add_results_verb(CLI::App& app, ResultsArguments& a, const std::string& nam
   add_gate(verb, a.gate, "when an answer is a Hit");
 }
 
+void add_gain(CLI::App& app, GainArguments& a) {
+  CLI::App& verb = *app.add_subcommand(
+      "gain", "Tell what combinations gain over the tracker in them, from runs made with --paired");
+  verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
+  verb.add_option("--score", a.score, "locked-share, recognition, availability or losses")
+      ->capture_default_str();
+  add_gate(verb, a.gate, "when an answer is a Hit; else the one by which resets were judged, else centre");
+  verb.add_flag("--json", a.json, "print all scores as JSON");
+}
+
 void add_explain(CLI::App& app, ExplainArguments& a) {
   CLI::App& verb = *app.add_subcommand(
       "explain", "Tell every loss in order: when, over which gap, in which picture, how it ended");
@@ -206,6 +216,10 @@ void add_jump(CLI::App& app, JumpArguments& a) {
   verb.add_option("--target", a.target, "its target, as `relock marker` takes it; else apriltag36h11:0");
   verb.add_option("--exposure", a.exposure_ms, "exposure time of the flights in ms, which makes the blur");
   verb.add_option("--seeds", a.seeds, "how many flights")->check(CLI::Range(1, 1000))->capture_default_str();
+  verb.add_option("--before", a.before,
+                  "frames from the start to the gap; 0: the gap follows the start at once")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
   verb.add_flag("--no-time-gap", a.no_time_gap, "the same jumps, but the clock as if no frame were missing");
   verb.add_option("--out", a.out, "folder of the flights; what is there already is not flown again")
       ->capture_default_str();
@@ -318,6 +332,7 @@ void add_verbs(CLI::App& app, Arguments& arguments) {
   add_score(app, arguments.score);
   add_results_verb(app, arguments.cost, "cost",
                    "Tell what the gaps cost each method, from runs made with --paired");
+  add_gain(app, arguments.gain);
   add_explain(app, arguments.explain);
   add_timeline(app, arguments.timeline);
   add_results_verb(app, arguments.survival, "survival",

@@ -16,6 +16,7 @@ struct Arguments {
   RunArguments run;
   ScoreArguments score;
   ResultsArguments cost, survival, attribute;
+  GainArguments gain;
   ExplainArguments explain;
   TimelineArguments timeline;
   DetectArguments detect;

@@ -27,6 +27,7 @@ std::vector<OptionInfo> gap_option_list() {
       {"margin", fmt::format("{}", d.margin), "",
        "correlation by which another place must be more alike than the old one; for trackers that take no "
        "hints"},
+      {"rate_hz", "learned", "Hz", "nominal rate; learned: from the frames so far, from the third on"},
       {"spread", fmt::format("{}", d.spread), "",
        "uncertainty of the predicted place for each missing period, in sizes of the target"}};
 }
@@ -101,7 +102,9 @@ std::string kind_of(const Methods& methods, const std::string& name) {
 }
 
 GapOptions gap_options(const Options& given) {
-  return {.spread = given.number("spread", 0, 10), .margin = given.number("margin", 0, 2)};
+  GapOptions options{.spread = given.number("spread", 0, 10), .margin = given.number("margin", 0, 2)};
+  if (given.word("rate_hz") != "learned") options.period_s = 1 / given.number("rate_hz", 0.01, 100000);
+  return options;
 }
 
 GapOptions blur_options(const Options& given) {
@@ -160,6 +163,14 @@ Bound<TrackerEntry> tracker_combination(const Methods& methods, const MethodSpec
   return bound;
 }
 
+/// Which part of a combination the tracker is; nothing: none.
+std::optional<std::size_t> tracker_place(const MethodSpec& spec) {
+  const std::vector<Part>& parts = combination(spec.name).parts;
+  for (std::size_t p = 0; p < std::min(parts.size(), spec.parts.size()); ++p)
+    if (parts[p] == Part::tracker) return p;
+  return std::nullopt;
+}
+
 template <class Entry>
 Bound<Entry> bound_entry(const Entry& entry, const MethodSpec& spec) {
   Bound<Entry> bound{entry, Options(entry.name, entry.options, spec.options)};
@@ -181,6 +192,19 @@ const std::vector<CombinationInfo>& combinations() {
 
 bool is_tracker_combination(const std::string& name) {
   return is_combination(name) && combination(name).tracker;
+}
+
+std::optional<MethodSpec> tracker_in(const MethodSpec& spec) {
+  if (!is_combination(spec.name)) return spec;
+  const auto place = tracker_place(spec);
+  return place ? tracker_in(spec.parts[*place]) : std::nullopt;
+}
+
+MethodSpec with_tracker(const MethodSpec& spec, const std::string& name) {
+  if (!is_combination(spec.name)) return {name};
+  MethodSpec changed = spec;
+  if (const auto place = tracker_place(spec)) changed.parts[*place] = with_tracker(spec.parts[*place], name);
+  return changed;
 }
 
 void check_parts(const Methods& methods, const MethodSpec& spec) {

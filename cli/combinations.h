@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,12 @@ Bound<DetectorEntry> bound_detector(const Methods& methods, const MethodSpec& sp
 
 /// Whether the combination is a tracker, and may stand where a tracker is needed.
 bool is_tracker_combination(const std::string& name);
+
+/// The tracker that a method is or has in it, however deep: kcf of kcf, track(kcf) and guarded(gap-aware(kcf),ring);
+/// nothing of a combination without one. What is no combination is taken for one.
+std::optional<MethodSpec> tracker_in(const MethodSpec& spec);
+/// The combination with `name` in the place of the tracker in it: "guarded(gap-aware(T),ring)".
+MethodSpec with_tracker(const MethodSpec& spec, const std::string& name);
 
 /// "gap-aware needs a tracker; ring is a detector": throws Error unless the parts are those that the
 /// combination takes.

@@ -65,6 +65,7 @@ void check_codes(const ChosenMethod& method, const std::vector<Sequence>& sequen
 jumps::Trial trial_of(const JumpArguments& a, const Methods& methods) {
   jumps::Trial trial;
   for (const MethodSpec& spec : parse_methods(a.methods)) trial.methods.push_back(choose(methods, spec));
+  trial.test.before = a.before;
   trial.clock = a.no_time_gap ? jumps::Clock::closed : jumps::Clock::kept;
   trial.sequences = sequences_of(a);
   std::size_t jumps = 0;

@@ -4,74 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <map>
-#include <tuple>
 
 #include "cli/comparison.h"
 #include "cli/json_text.h"
 #include "cli/table.h"
-#include "core/error.h"
-#include "eval/scores/common_frames.h"
 
 namespace relock {
 namespace {
-
-const RunRecord& conditions_of(const StoredComparison& comparison) { return comparison.runs.front().record; }
-
-bool as_recorded(const StoredComparison& comparison) { return conditions_of(comparison).gaps == "none"; }
-
-const StoredRun* run_of(const StoredComparison& comparison, const std::string& method) {
-  const auto found = std::find_if(comparison.runs.begin(), comparison.runs.end(),
-                                  [&](const StoredRun& run) { return run.record.method == method; });
-  return found == comparison.runs.end() ? nullptr : &*found;
-}
-
-/// Made under the same conditions but for the gaps.
-bool alike(const StoredComparison& a, const StoredComparison& b) {
-  const RunRecord &one = conditions_of(a), &other = conditions_of(b);
-  return one.seed == other.seed && one.recording == other.recording && one.fingerprint == other.fingerprint &&
-         one.gate == other.gate && one.showing() == other.showing();
-}
-
-/// OUT of OUT/RECORDING/GAPS-PROTOCOL.
-std::filesystem::path results_root(const StoredComparison& comparison) {
-  return comparison.folder.parent_path().parent_path();
-}
-
-/// The run of `method` as recorded that the one in `with` is compared to: that in the same results if it is there,
-/// else the first of the others. Nothing when there is none.
-const StoredRun* run_without(const std::vector<StoredComparison>& all, const StoredComparison& with,
-                             const std::string& method) {
-  const StoredRun* elsewhere = nullptr;
-  for (const StoredComparison& other : all) {
-    if (!as_recorded(other) || !alike(other, with)) continue;
-    const StoredRun* run = run_of(other, method);
-    if (run && results_root(other) == results_root(with)) return run;
-    if (!elsewhere) elsewhere = run;
-  }
-  return elsewhere;
-}
-
-/// The runs of one method in both arms.
-struct Arms {
-  const StoredComparison& conditions;  ///< of the arm with gaps
-  const StoredRun& without;
-  const StoredRun& with;
-};
-
-/// A pair as long as the shorter of its arms, where one was cut short.
-struct EquallyLong {
-  Recording recording;
-  Trajectory without, with;
-};
-EquallyLong equally_long(const Arms& arms) {
-  const Recording& recording = arms.conditions.recording;
-  const std::size_t frames = std::min(
-      {recording.frames(), arms.without.trajectory.frames.size(), arms.with.trajectory.frames.size()});
-  return {up_to(recording, frames), up_to(arms.without.trajectory, frames),
-          up_to(arms.with.trajectory, frames)};
-}
 
 /// What the gaps cost the method `of`, over all its pairs.
 GapCost cost_of(const std::vector<Arms>& all, const std::string& of, const Gate& gate) {
@@ -109,24 +48,16 @@ GapExperiment experiment_on(const std::vector<Arms>& all, const std::optional<st
 
 // Text
 
-/// With its sign; what rounds to nothing has none.
-std::string signed_number(const std::optional<double>& value, int decimals) {
-  if (!value) return "n/a";
-  const std::string text = fmt::format("{:+.{}f}", *value, decimals);
-  return text.find_first_of("123456789") == std::string::npos ? text.substr(1) : text;
-}
-
 std::string interval_text(const std::optional<Interval>& interval, int decimals) {
   if (!interval) return "n/a";
-  return fmt::format("[{}, {}]", signed_number(interval->low, decimals),
-                     signed_number(interval->high, decimals));
+  return fmt::format("[{}, {}]", signed_cell(interval->low, decimals), signed_cell(interval->high, decimals));
 }
 
 std::string mark(int verdict) { return verdict < 0 ? "worse" : verdict > 0 ? "better" : ""; }
 
 void add_score(Table& table, CostScore which, const PairedScore& score, int decimals) {
   table.add({fmt::format("  {}", to_string(which)), cell(score.without, decimals), cell(score.with, decimals),
-             signed_number(score.difference, decimals), interval_text(score.interval, decimals),
+             signed_cell(score.difference, decimals), interval_text(score.interval, decimals),
              mark(verdict_on(which, score))});
 }
 
@@ -248,39 +179,10 @@ Json json_of(const GapExperiment& e, const GapExperiment::MethodCost& m) {
 
 std::vector<GapExperiment> gap_experiments(const std::vector<StoredComparison>& comparisons,
                                            const std::optional<std::string>& gate) {
-  std::map<std::tuple<std::string, Showing, std::string>, std::vector<Arms>> by_pattern;
-  for (const StoredComparison& with : comparisons) {
-    if (as_recorded(with)) continue;
-    const RunRecord& record = conditions_of(with);
-    for (const StoredRun& run : with.runs)
-      if (const StoredRun* without = run_without(comparisons, with, run.record.method))
-        by_pattern[{record.gaps, record.showing(), record.gate}].push_back({with, *without, run});
-  }
-  if (by_pattern.empty())
-    throw Error(
-        "no runs there were made with gaps and as recorded, too, with the same seed; `relock run --gaps "
-        "PATTERN --paired` makes both");
   std::vector<GapExperiment> experiments;
-  for (const auto& [pattern, arms] : by_pattern) experiments.push_back(experiment_on(arms, gate));
+  for (const std::vector<Arms>& arms : arms_by_pattern(comparisons))
+    experiments.push_back(experiment_on(arms, gate));
   return experiments;
-}
-
-std::vector<std::string> without_a_pair(const std::vector<StoredComparison>& comparisons) {
-  std::vector<std::string> sentences;
-  for (const StoredComparison& with : comparisons) {
-    if (as_recorded(with)) continue;
-    std::vector<std::string> alone;
-    for (const StoredRun& run : with.runs)
-      if (!run_without(comparisons, with, run.record.method)) alone.push_back(run.record.method);
-    if (alone.empty()) continue;
-    const RunRecord& record = conditions_of(with);
-    const std::string what =
-        alone.size() == with.runs.size() ? "it" : fmt::format("{}", fmt::join(alone, ", "));
-    sentences.push_back(fmt::format("{} with gaps {}, seed {}, {}: there is no run of {} as recorded",
-                                    record.recording, record.gaps, record.seed, spoken(record.showing()),
-                                    what));
-  }
-  return sentences;
 }
 
 std::string cost_text(const GapExperiment& experiment) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/arms.h"
 #include "cli/runs/folder.h"
 #include "eval/scores/paired.h"
 
@@ -26,15 +27,9 @@ struct GapExperiment {
 };
 
 /// The experiments that are whole among `comparisons`: of every gap pattern the runs that were made as
-/// recorded, too, with the same recording, seed, protocol, anchor, real time and latency. Each method is paired
-/// with its own run as recorded, that of the same results folder before one of another. `gate`: else the one by which resets were judged,
-/// else centre. Throws Error when no run has both arms.
+/// recorded, too (cli/arms.h). `gate`: else the one by which resets were judged, else centre. Throws Error when no run has both arms.
 std::vector<GapExperiment> gap_experiments(const std::vector<StoredComparison>& comparisons,
                                            const std::optional<std::string>& gate);
-
-/// Runs with gaps that have no arm as recorded, and so no place in an experiment: a sentence on each comparison that
-/// has some, which names the methods unless it is all of them.
-std::vector<std::string> without_a_pair(const std::vector<StoredComparison>& comparisons);
 
 /// One table, for people.
 std::string cost_text(const GapExperiment& experiment);

@@ -56,6 +56,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& met
   if (app.got_subcommand("run")) return run(arguments.run, methods);
   if (app.got_subcommand("score")) return score(arguments.score);
   if (app.got_subcommand("cost")) return cost(arguments.cost);
+  if (app.got_subcommand("gain")) return gain(arguments.gain);
   if (app.got_subcommand("explain")) return explain(arguments.explain);
   if (app.got_subcommand("timeline")) return timeline(arguments.timeline);
   if (app.got_subcommand("survival")) return survival(arguments.survival);

@@ -53,6 +53,12 @@ std::string cell(const std::optional<double>& value, int decimals) {
   return value ? fmt::format("{:.{}f}", *value, decimals) : "n/a";
 }
 
+std::string signed_cell(const std::optional<double>& value, int decimals) {
+  if (!value) return "n/a";
+  const std::string text = fmt::format("{:+.{}f}", *value, decimals);
+  return text.find_first_of("123456789") == std::string::npos ? text.substr(1) : text;
+}
+
 std::string Table::text(std::size_t indent) const {
   std::vector<std::size_t> widths(rows_.front().size());
   for (const auto& row : rows_)

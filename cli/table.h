@@ -10,6 +10,9 @@ namespace relock {
 /// A number as a cell; "n/a" where there is none.
 std::string cell(const std::optional<double>& value, int decimals);
 
+/// Likewise with its sign; what rounds to nothing has none.
+std::string signed_cell(const std::optional<double>& value, int decimals);
+
 /// How a table is written.
 enum class TableFormat : std::uint8_t { text, markdown, latex };
 

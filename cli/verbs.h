@@ -58,6 +58,14 @@ int cost(const ResultsArguments& arguments);
 int survival(const ResultsArguments& arguments);
 int attribute(const ResultsArguments& arguments);
 
+struct GainArguments {
+  std::filesystem::path folder;
+  std::optional<std::string> gate;     ///< else the one by which resets were judged, else centre
+  std::string score = "locked-share";  ///< of which the table tells
+  bool json = false;                   ///< tells of all
+};
+int gain(const GainArguments& arguments);
+
 struct ExplainArguments {
   std::filesystem::path folder;
   std::optional<std::string> gate;    ///< else the one by which resets were judged, else centre
@@ -158,6 +166,7 @@ struct JumpArguments {
   std::optional<std::string> target;
   std::optional<double> exposure_ms;
   int seeds = 8;
+  int before = 8;  ///< frames shown between the start and the gap
   bool no_time_gap = false;
   std::filesystem::path out = "jump";
   std::optional<std::filesystem::path> plot;

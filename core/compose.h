@@ -13,7 +13,7 @@
 // (docs/combining.md).
 //
 // Times are the frames' own: a gap is more than 1.5 nominal periods since the last frame that was shown, and the nominal
-// period is estimated from the frames shown so far. Places that are apart are measured in sizes of the target
+// period is estimated from the frames shown so far where it is not given. Places that are apart are measured in sizes of the target
 // (core/geometry.h, size_of).
 
 namespace relock {
@@ -89,13 +89,15 @@ enum class Hints : std::uint8_t { honoured, ignored };
 struct GapOptions {
   double spread = 0.1;  ///< sizes: how uncertain a predicted place is, for each period that is missing
   double margin = 0.1;  ///< how much more alike than the old place a new one must look to start there
+  std::optional<double> period_s = {};    ///< nominal; empty: estimated from the frames, from the third on
   std::optional<double> exposure_s = {};  ///< blur_predict only; empty: learned from the frames
 };
 
 /// A tracker that knows the time since the last frame. After a gap it is told (Tracker::expect) where the
 /// target is thought to be: at constant velocity, from the last two answers over their true times, give or take `spread`
 /// sizes for each missing period. A tracker that ignores hints has its target looked for there by `searcher`:
-/// when another place looks more alike than the old one by `margin`, a new tracker starts there.
+/// when another place looks more alike than the old one by `margin`, a new tracker starts there. Where no velocity is known,
+/// right after a start, it is looked for about the old place.
 ///
 /// Where no frame is missing it does what its tracker does, to the bit.
 std::unique_ptr<Tracker> gap_aware(TrackerFactory make_tracker, Hints hints,
@@ -103,12 +105,19 @@ std::unique_ptr<Tracker> gap_aware(TrackerFactory make_tracker, Hints hints,
 
 /// Likewise, but the blur is the speedometer: its length over the exposure is the speed, along the blur's
 /// line; the last two answers say which way. So the newest frame alone tells how fast the target went when the gap began;
-/// velocity from two answers is half a frame older, and coarse where boxes are whole pixels.
+/// velocity from two answers is half an interval older, and more after a gap.
 ///
 /// With a period T and an exposure E the target moves kappa = T / E lengths of blur a period. E is
 /// `exposure_s`, or kappa is learned: the median of displacement over length of blur, over the frames without a gap
 /// (the last 64 with a blur of 2 px or more). That needs no metadata, and takes up what the blur's
 /// estimator does wrong in proportion. Until 5 are seen kappa is 2: an exposure of half a period.
+///
+/// Estimates of blur may be poor. So the blur must have told better than the answers did: the medians of both
+/// errors, over the same steps from frame to frame. Until 5 steps are seen it is believed if E is given.
+///
+/// Where the answers do not tell which way (right after a start there is one; some trackers stand still in their first
+/// frame), the target is looked for on both sides: a tracker that honours hints is told the old place with the distance as uncertainty. At the first frame after
+/// the start the nominal period must be given, else no gap is known for one.
 ///
 /// The blur is the tracker's own (Sighting::blur), else what `meter` says. Where neither says any
 /// it is gap_aware.

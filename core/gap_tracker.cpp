@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "core/compose.h"
 #include "core/error.h"
@@ -31,7 +32,8 @@ class GapTracker final : public Tracker {
         speedometer_(speedometer),
         meter_(std::move(meter)),
         options_(options),
-        tracker_(make_tracker_(0)) {}
+        tracker_(make_tracker_(0)),
+        memory_(options.period_s, options.exposure_s) {}
 
   void start(const Frame& frame, const Box& box) override {
     tracker_->start(frame, box);
@@ -62,33 +64,63 @@ class GapTracker final : public Tracker {
   }
 
   std::optional<Sighting> track_after_gap(const Frame& frame) {
-    const auto prior = predicted();
-    if (!prior) return tracker_->track(frame);
+    const auto priors = predicted();
     if (hints_ == Hints::honoured) {
-      tracker_->expect(prior->box, prior->sigma_px);
+      const Prior hint = over_all(priors);
+      tracker_->expect(hint.box, hint.sigma_px);
     } else if (frame.image.size() == size_) {
-      if (auto found = started_elsewhere(frame, *prior)) return found;
+      if (auto found = started_elsewhere(frame, priors)) return found;
     }
     return tracker_->track(frame);
   }
 
-  std::optional<Prior> predicted() const {
-    auto velocity = memory_.velocity();
-    if (!velocity) return std::nullopt;
-    if (speedometer_ == Speedometer::blur)
-      velocity = memory_.velocity_by_blur(options_.exposure_s).value_or(*velocity);
-    const Box box = memory_.moved(*velocity);
+  /// One, or two where a blur has no sign; none at all is known where the target is taken to stay.
+  std::vector<Vec2> velocities() const {
+    const auto by_answers = memory_.velocity();
+    const bool ask_blur =
+        speedometer_ == Speedometer::blur &&
+        (!by_answers || memory_.blur_tells_better().value_or(options_.exposure_s.has_value()));
+    std::vector<Vec2> velocities;
+    if (ask_blur) velocities = memory_.velocities_by_blur();
+    if (velocities.empty()) velocities = {by_answers.value_or(Vec2{})};
+    return velocities;
+  }
+
+  std::vector<Prior> predicted() const {
+    std::vector<Prior> priors;
     const double spread = std::min(options_.spread * memory_.missing_periods(), kMostSpread);
-    return Prior{box, spread * size_of(box)};
+    for (const Vec2 velocity : velocities()) {
+      const Box box = memory_.moved(velocity);
+      priors.push_back({box, spread * size_of(box)});
+    }
+    return priors;
+  }
+
+  /// The one prior, or the old place, as uncertain as both are far from it.
+  Prior over_all(const std::vector<Prior>& priors) const {
+    if (priors.size() == 1) return priors.front();
+    const Box old = *memory_.last_box();
+    return {old, norm(centre_of(priors.front().box) - centre_of(old)) + priors.front().sigma_px};
+  }
+
+  /// The place that looks most alike around any of the priors.
+  std::optional<Searcher::Found> most_alike(const Frame& frame, const std::vector<Prior>& priors, double size,
+                                            const Box& picture) {
+    std::optional<Searcher::Found> best;
+    for (const Prior& prior : priors) {
+      const double reach = std::max(kSigmas * prior.sigma_px, kLeastReach * size);
+      const auto found = searcher_->find(frame.image, intersect(grown(prior.box, reach), picture));
+      if (found && (!best || found->likeness > best->likeness)) best = found;
+    }
+    return best;
   }
 
   /// The answer of a new tracker, if the target is plainly not where the old one would look first.
-  std::optional<Sighting> started_elsewhere(const Frame& frame, const Prior& prior) {
+  std::optional<Sighting> started_elsewhere(const Frame& frame, const std::vector<Prior>& priors) {
     const Box old = *memory_.last_box();
     const double size = size_of(old);
     const Box picture = picture_box(frame.image.size());
-    const double reach = std::max(kSigmas * prior.sigma_px, kLeastReach * size);
-    const auto there = searcher_->find(frame.image, intersect(grown(prior.box, reach), picture));
+    const auto there = most_alike(frame, priors, size, picture);
     if (!there) return std::nullopt;
     const auto here = searcher_->find(frame.image, intersect(grown(old, kOldPlace * size), picture));
     if (here && there->likeness < here->likeness + options_.margin) return std::nullopt;
@@ -135,8 +167,9 @@ std::unique_ptr<Tracker> blur_predict(TrackerFactory make_tracker, Hints hints,
 BlurMeter blur_of_detections(std::shared_ptr<Detector> detector) {
   return [detector = std::move(detector)](const Image& image, const Box& box) {
     std::optional<BlurEstimate> blur;
+    // A tracker's box may lag behind its target, and the target's smear is longer than the target.
     double nearest = 0.5 * size_of(box);
-    for (const Sighting& seen : detector->detect(image, box)) {
+    for (const Sighting& seen : detector->detect(image, grown(box, nearest))) {
       const double apart = norm(centre_of(seen.outline) - centre_of(box));
       if (apart <= nearest && seen.blur) nearest = apart, blur = seen.blur;
     }

@@ -63,7 +63,8 @@ Outcome outcome_of(const Scene& scene, const Trajectory& trajectory) {
   const auto judged = [&](std::size_t frame) {
     return judge_frame(scene.recording, frame, trajectory.frames[frame], trajectory, {}).targets.front();
   };
-  if (!judged(scene.held).hold) return Outcome::not_held;
+  const bool given = scene.held == 0;  // the gap follows the start at once
+  if (!given && !judged(scene.held).hold) return Outcome::not_held;
   const Judgement last = judged(scene.judged);
   if (last.hold) return Outcome::held;
   if (last.failed) return Outcome::failed;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <string>
 
 #include "eval/scores/common_frames.h"
@@ -14,48 +13,15 @@
 namespace relock {
 namespace {
 
-constexpr std::size_t kRatios = 4;  // all scores but the error are a sum over a sum
-using Ratios = std::array<RatioSeries, kRatios>;
-
-RatioSeries& of(Ratios& ratios, CostScore score) { return ratios[static_cast<std::size_t>(score)]; }
-
 /// Both arms of one sequence, its seeds added up: for each recorded frame what it adds to every score.
 struct SequenceSums {
-  Ratios without, with;
+  ArmSums without, with;
   struct Errors {
     std::size_t frame;
     double without_px, with_px, label_sigma_px;
   };
   std::vector<Errors> errors;  // of Hits in both arms
 };
-
-void lengthen(Ratios& ratios, std::size_t frames) {
-  for (RatioSeries& series : ratios) {
-    series.part.resize(std::max(series.part.size(), frames));
-    series.whole.resize(std::max(series.whole.size(), frames));
-  }
-}
-
-/// What one frame adds to the scores.
-void add_frame(const Contribution& frame, std::size_t at, Ratios& sums) {
-  const auto add = [&](CostScore score, double part, double whole) {
-    of(sums, score).part[at] += part;
-    of(sums, score).whole[at] += whole;
-  };
-  add(CostScore::recognition, static_cast<double>(frame.hits), static_cast<double>(frame.could_hit));
-  add(CostScore::locked_share, seconds(frame.locked), seconds(frame.visible));
-  add(CostScore::availability, seconds(frame.fresh), seconds(frame.visible));
-  add(CostScore::losses_per_minute, 0, seconds(frame.locked) / 60);
-}
-
-void add_arm(const Recording& recording, const Evaluation& evaluation, Ratios& sums) {
-  for (std::size_t t = 0; t < recording.targets.size(); ++t) {
-    const auto frames = contributions(recording, evaluation, t);
-    for (std::size_t frame = 0; frame < frames.size(); ++frame) add_frame(frames[frame], frame, sums);
-    for (const Loss& loss : evaluation.targets[t].losses)
-      of(sums, CostScore::losses_per_minute).part[static_cast<std::size_t>(loss.last_good)] += 1;
-  }
-}
 
 void add_errors(const CommonFrames& both, const Evaluation& without, const Evaluation& with,
                 SequenceSums& sums) {
@@ -78,10 +44,9 @@ void add_pair(const Pair& pair, const Gate& gate, SequenceSums& sums, GapCost& c
   const CommonFrames both = common_frames(pair.recording, pair.without, pair.with);
   const Evaluation without = evaluate(both.recording, both.without, gate);
   const Evaluation with = evaluate(both.recording, both.with, gate);
-  lengthen(sums.without, both.recording.frames());
-  lengthen(sums.with, both.recording.frames());
-  add_arm(both.recording, without, sums.without);
-  add_arm(both.recording, with, sums.with);
+  const std::vector<bool> all_targets(both.recording.targets.size(), true);
+  sums.without.add(both.recording, without, all_targets);
+  sums.with.add(both.recording, with, all_targets);
   add_errors(both, without, with, sums);
   ++cost.pairs;
   cost.common_frames += static_cast<std::size_t>(std::count(both.common.begin(), both.common.end(), true));
@@ -104,21 +69,11 @@ void add_recorded_availability(const Recording& recording, const Trajectory& arm
 
 // Scores
 
-std::optional<double> value_of(std::span<const RatioSeries> sequences) {
-  double part = 0, whole = 0;
-  for (const RatioSeries& series : sequences) {
-    part = std::accumulate(series.part.begin(), series.part.end(), part);
-    whole = std::accumulate(series.whole.begin(), series.whole.end(), whole);
-  }
-  if (whole <= 0) return {};
-  return part / whole;
-}
-
-PairedScore paired_ratio(CostScore score, std::span<SequenceSums> sequences) {
+PairedScore paired_ratio(CostScore score, std::span<const SequenceSums> sequences) {
   std::vector<RatioSeries> without, with;
-  for (SequenceSums& sums : sequences) {
-    without.push_back(of(sums.without, score));
-    with.push_back(of(sums.with, score));
+  for (const SequenceSums& sums : sequences) {
+    without.push_back(sums.without[score]);
+    with.push_back(sums.with[score]);
   }
   PairedScore paired{value_of(without), value_of(with), {}, {}};
   if (!paired.without || !paired.with) return paired;
@@ -169,12 +124,6 @@ PairedScore paired_error(std::span<const SequenceSums> sequences) {
 
 }  // namespace
 
-std::string_view to_string(CostScore score) {
-  constexpr std::array<std::string_view, kCostScores> names{"recognition", "locked share", "availability",
-                                                            "losses per minute", "error px"};
-  return names[static_cast<std::size_t>(score)];
-}
-
 int verdict_on(CostScore which, const PairedScore& score) {
   if (!score.interval || (score.interval->low <= 0 && score.interval->high >= 0)) return 0;
   const bool more = score.interval->low > 0;
@@ -196,9 +145,9 @@ GapCost cost_of_gaps(std::span<const Pair> pairs, const Gate& gate) {
   }
   std::vector<SequenceSums> sequences;
   for (auto& [name, sums] : by_name) sequences.push_back(std::move(sums));
-  for (std::size_t i = 0; i < kRatios; ++i)
+  for (std::size_t i = 0; i < kRatioScores; ++i)
     cost.scores[i] = paired_ratio(static_cast<CostScore>(i), sequences);
-  cost.scores[kRatios] = paired_error(sequences);
+  cost.scores[kRatioScores] = paired_error(sequences);
   cost.label_sigma_px = label_sigma(sequences);
   cost.recorded_availability_without = value_of({&recorded_without, 1});
   cost.recorded_availability_with = value_of({&recorded_with, 1});

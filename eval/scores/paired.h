@@ -3,10 +3,10 @@
 #include <array>
 #include <optional>
 #include <span>
-#include <string_view>
 
 #include "core/recording.h"
 #include "eval/judgement/verdict.h"
+#include "eval/scores/arm_sums.h"
 #include "eval/statistics/interval.h"
 #include "eval/trajectory.h"
 
@@ -18,18 +18,6 @@ struct Pair {
   const Trajectory& without;  ///< as recorded
   const Trajectory& with;     ///< the pattern drops frames
 };
-
-/// What the gaps cost is told in these scores, of all targets pooled.
-enum class CostScore : std::uint8_t {
-  recognition,
-  locked_share,
-  availability,
-  losses_per_minute,  ///< of locked time
-  error_px,           ///< median position error over Hits of both arms on the same frame
-};
-constexpr std::size_t kCostScores = 5;
-/// As metrics.md calls it: "locked share".
-std::string_view to_string(CostScore score);
 
 /// One score in both arms, on their common frames. An empty value is n/a.
 struct PairedScore {

@@ -114,7 +114,7 @@ TEST(BlurPredict, TakesTheBlurFromAMeterWhereTheTrackerHasNone) {
   const auto log = std::make_shared<ScriptedTracker::Log>();
   const auto detector = std::make_shared<ScriptedDetector>([n = 0]() mutable {
     Sighting near = seen_at(50 + 6.0 * ++n), far = seen_at(800);
-    near.blur = BlurEstimate{0, 2.5};
+    near.blur = BlurEstimate{0, n == 11 ? 10.0 : 3.0};  // at last it went 20 px a period
     far.blur = BlurEstimate{1, 50};
     return Sightings{far, near};
   });
@@ -126,7 +126,102 @@ TEST(BlurPredict, TakesTheBlurFromAMeterWhereTheTrackerHasNone) {
   for (FrameIndex i = 1; i <= 10; ++i) tracker->track(wide_frame(i));
   tracker->track(wide_frame(14));
   // The meter is asked at the start, too, so that the n-th look is at frame n - 1, 6 px off: within half a size.
-  EXPECT_NEAR(centre_of(log->expected.at(0).first).x, 50 + 6 * 10 + 4 * 5, 1e-4);
+  EXPECT_NEAR(centre_of(log->expected.at(0).first).x, 50 + 6 * 10 + 4 * 20, 1e-4);
+}
+
+TEST(BlurPredict, GoesByTheAnswersWhereTheBlurHasToldWorse) {
+  Random random(7);
+  const auto script = [&](FrameIndex i, const Box&) {
+    Sighting sighting = seen_at(50 + 6.0 * static_cast<double>(i));
+    sighting.blur = BlurEstimate{std::numbers::pi * random.uniform(), 4 + 8 * random.uniform()};
+    return sighting;
+  };
+  const auto log = std::make_shared<ScriptedTracker::Log>();
+  const auto tracker = blur_predict(scripted(script, log), Hints::honoured, nullptr, {});
+  tracker->start(wide_frame(0), box_at(50));
+  for (FrameIndex i = 1; i <= 20; ++i) tracker->track(wide_frame(i));
+  tracker->track(wide_frame(27));
+  EXPECT_NEAR(centre_of(log->expected.at(0).first).x, 50 + 6 * 27, 1e-4);
+}
+
+/// A blur of 5 px to the right or left, half a period long, in every picture.
+std::optional<BlurEstimate> always_blurred(const Image&, const Box&) { return BlurEstimate{0, 5}; }
+
+GapOptions known_rate_and_exposure() {
+  GapOptions options;
+  options.period_s = seconds(kPeriod);
+  options.exposure_s = 0.5 * seconds(kPeriod);
+  return options;
+}
+
+/// Finds the target in one of the regions it is shown, the n-th.
+class OneSidedSearcher final : public Searcher {
+ public:
+  OneSidedSearcher(std::size_t nth, std::vector<Box>& regions) : nth_(nth), regions_(regions) {}
+  void remember(const Image&, const Box&) override {}
+  std::optional<Found> find(const Image&, const Box& region) override {
+    regions_.push_back(region);
+    return Found{region, regions_.size() == nth_ ? 0.9 : 0.2};
+  }
+
+ private:
+  std::size_t nth_;
+  std::vector<Box>& regions_;
+};
+
+TEST(BlurPredict, LooksOnBothSidesWhenTheGapFollowsTheStartAtOnce) {
+  for (const std::size_t side : {1u, 2u}) {
+    std::vector<Box> regions;
+    const auto log = std::make_shared<ScriptedTracker::Log>();
+    const auto tracker = blur_predict(scripted(steady(0), log), Hints::ignored,
+                                      std::make_unique<OneSidedSearcher>(side, regions), always_blurred,
+                                      known_rate_and_exposure());
+    tracker->start(wide_frame(0), box_at(500));
+    const auto said = tracker->track(wide_frame(4));
+    EXPECT_NEAR(centre_of(regions.at(0)).x, 500 + 4 * 10, 1e-4);
+    EXPECT_NEAR(centre_of(regions.at(1)).x, 500 - 4 * 10, 1e-4);
+    EXPECT_EQ(said->centre.x, centre_of(regions.at(side - 1)).x);
+    EXPECT_EQ(log->starts.size(), 2u);
+  }
+}
+
+TEST(BlurPredict, IsAsUncertainAsBothSidesAreFarWhereItsTrackerTakesOnePlace) {
+  const auto log = std::make_shared<ScriptedTracker::Log>();
+  const auto tracker = blur_predict(scripted(steady(0), log), Hints::honoured, nullptr, always_blurred,
+                                    known_rate_and_exposure());
+  tracker->start(wide_frame(0), box_at(500));
+  tracker->track(wide_frame(4));
+  EXPECT_EQ(centre_of(log->expected.at(0).first).x, 500);
+  EXPECT_GE(log->expected.at(0).second, 4 * 10);
+}
+
+TEST(BlurPredict, TakesNoWayFromATrackerThatStandsStillInItsFirstFrame) {
+  std::vector<Box> regions;
+  const auto log = std::make_shared<ScriptedTracker::Log>();
+  const auto still = [](FrameIndex, const Box&) { return seen_at(500.5); };
+  const auto tracker =
+      blur_predict(scripted(still, log), Hints::ignored, std::make_unique<OneSidedSearcher>(2, regions),
+                   always_blurred, known_rate_and_exposure());
+  tracker->start(wide_frame(0), box_at(500));
+  tracker->track(wide_frame(1));
+  tracker->track(wide_frame(5));
+  EXPECT_LT(centre_of(regions.at(1)).x, 500);
+}
+
+TEST(GapAware, KnowsGapsForGapsFromTheStartWhereTheRateIsGiven) {
+  for (const bool given : {true, false}) {
+    GapOptions options;
+    if (given) options.period_s = seconds(kPeriod);
+    const auto log = std::make_shared<ScriptedTracker::Log>();
+    const auto tracker = gap_aware(scripted(steady(0), log), Hints::honoured, nullptr, options);
+    tracker->start(wide_frame(0), box_at(50));
+    tracker->track(wide_frame(5));  // a period, as far as anybody knows who is not told
+    tracker->track(wide_frame(10));
+    ASSERT_EQ(log->expected.size(), given ? 2u : 0u);
+    if (!given) continue;
+    EXPECT_EQ(centre_of(log->expected[0].first).x, 50);  // no velocity is known yet: about the old place
+    EXPECT_NEAR(centre_of(log->expected[1].first).x, 50 + 6 * 10, 6 + 1e-4);
+  }
 }
 
 TEST(MotionMemory, LearnsKappaRobustlyAgainstAThirdOfWildBlurs) {
