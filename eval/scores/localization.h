@@ -13,8 +13,8 @@ namespace relock {
 struct Fix {
   std::size_t frame = 0;
   std::size_t target = 0;
-  Vec2 error_px;                   ///< reported - true
-  double size_px = 0;              ///< D
+  Vec2 error_px;                          ///< reported - true
+  double size_px = 0;                     ///< D
   std::optional<BlurVector> blur;         ///< true blur there, px
   double sigma_px = 0;                    ///< accuracy of the label there
   std::optional<BlurEstimate> told_blur;  ///< what the method says of it
