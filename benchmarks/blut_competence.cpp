@@ -48,8 +48,8 @@ void note_blur(Run& run, const Sighting& seen, const BlurEstimate& truth) {
   ++run.blurred_frames;
   if (!seen.blur) return;
   ++run.blurred_told;
-  const double apart = std::remainder(seen.blur->direction_rad - truth.direction_rad, std::numbers::pi);
-  run.direction_errors_deg.push_back(std::abs(apart) * 180 / std::numbers::pi);
+  const double apart = between_axes(seen.blur->direction_rad, truth.direction_rad);
+  run.direction_errors_deg.push_back(apart * 180 / std::numbers::pi);
   run.length_errors.push_back(std::abs(seen.blur->length_px / truth.length_px - 1));
 }
 

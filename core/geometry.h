@@ -24,6 +24,9 @@ inline double dot(Vec2 a, Vec2 b);
 inline double norm(Vec2 a);
 inline bool finite(Vec2 a);
 
+/// The angle between two directions without a sense, in [0, pi/2] rad.
+inline double between_axes(double a_rad, double b_rad);
+
 /// Width and height of a picture, px.
 struct Size {
   int width = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/geometry.h"
 
@@ -51,6 +52,10 @@ inline Vec2 centroid(const Quad& quad) {
 
 inline double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
 inline double norm(Vec2 a) { return std::hypot(a.x, a.y); }
+inline double between_axes(double a_rad, double b_rad) {
+  const double apart = std::fmod(std::abs(a_rad - b_rad), std::numbers::pi);
+  return std::min(apart, std::numbers::pi - apart);
+}
 inline bool finite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
 
 inline Vec2 centre_of(const Outline& outline) {

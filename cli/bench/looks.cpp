@@ -20,12 +20,6 @@ std::uint64_t seed_of(const std::string& name, Seeds seeds) {
   return (hash & ~std::uint64_t{1}) + (seeds == Seeds::odd ? 1 : 0);
 }
 
-/// Between two directions without a sign, degrees: 0 to 90.
-double between_deg(double a_rad, double b_rad) {
-  const double apart = std::fmod(std::abs(a_rad - b_rad), std::numbers::pi);
-  return 180 / std::numbers::pi * std::min(apart, std::numbers::pi - apart);
-}
-
 pose::Camera camera_of(const simulator::Camera& camera) {
   const Vec2 middle = camera.middle();
   return {camera.picture, camera.focal_px, camera.focal_px, middle.x, middle.y, {camera.k1, camera.k2}};
@@ -90,7 +84,8 @@ Look judged(const MadePicture& picture, const PictureKind& kind, const Sightings
   if (picture.pose && kind.camera) judge_pose(picture, *kind.camera, target.size_m, sighting, look);
   const Vec2 blur = picture.truth.blur.value_or(Vec2{});
   if (const double length = norm(blur); length > 0 && sighting.blur) {
-    look.direction_deg = between_deg(sighting.blur->direction_rad, std::atan2(blur.y, blur.x));
+    look.direction_deg =
+        180 / std::numbers::pi * between_axes(sighting.blur->direction_rad, std::atan2(blur.y, blur.x));
     look.length_percent = 100 * std::abs(sighting.blur->length_px - length) / length;
   }
   return look;

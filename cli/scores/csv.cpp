@@ -47,7 +47,7 @@ class Rows {
     row("p95_px", l.p95_px);
     row("median_percent_d", l.median_percent);
     row("common_median_px", method.common.median_px);
-    if (s.blur.told + s.blur.sharp_blurred == 0) return;
+    if (!s.blur.any()) return;
     row("blur_told", static_cast<double>(s.blur.told));
     row("blur_direction_median_deg", s.blur.direction_median_deg);
     row("blur_length_median_percent", s.blur.length_median_percent);

@@ -43,9 +43,8 @@ bool has_costs(const ScoreTable& table) {
 }
 
 bool tells_blur(const JudgedTable& judged) {
-  return std::any_of(judged.methods.begin(), judged.methods.end(), [](const JudgedMethod& method) {
-    return method.scores.blur.told + method.scores.blur.sharp_blurred > 0;
-  });
+  return std::any_of(judged.methods.begin(), judged.methods.end(),
+                     [](const JudgedMethod& method) { return method.scores.blur.any(); });
 }
 
 class Printer {

@@ -124,7 +124,7 @@ Table blur_table(const JudgedTable& judged) {
       {"method", "blurred", "told", "direction deg", "p95", "length %", "p95", "sharp", "said blurred"});
   for (std::size_t i = 0; i < judged.methods.size(); ++i) {
     const BlurAccuracy& b = judged.methods[i].scores.blur;
-    if (b.told + b.sharp_blurred == 0) continue;
+    if (!b.any()) continue;
     table.add({judged.table.methods[i].method, fmt::format("{}", b.blurred), part_cell(b.told, b.blurred),
                cell(b.direction_median_deg, 1), cell(b.direction_p95_deg, 1),
                cell(b.length_median_percent, 1), cell(b.length_p95_percent, 1), fmt::format("{}", b.sharp),

@@ -1,20 +1,10 @@
 #include "eval/scores/blur_accuracy.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 namespace relock {
-namespace {
-
-/// Between two axes, neither of which has a sense.
-double degrees_apart(double a_rad, double b_rad) {
-  const double cosine = std::abs(std::cos(a_rad - b_rad));
-  return std::acos(std::min(cosine, 1.0)) * 180 / std::numbers::pi;
-}
-
-}  // namespace
 
 BlurAccuracy blur_accuracy(std::span<const Fix> fixes) {
   BlurAccuracy result;
@@ -30,8 +20,8 @@ BlurAccuracy blur_accuracy(std::span<const Fix> fixes) {
     ++result.blurred;
     if (!fix.told_blur) continue;
     ++result.told;
-    directions_deg.push_back(
-        degrees_apart(fix.told_blur->direction_rad, std::atan2(fix.blur->y, fix.blur->x)));
+    const double apart = between_axes(fix.told_blur->direction_rad, std::atan2(fix.blur->y, fix.blur->x));
+    directions_deg.push_back(apart * 180 / std::numbers::pi);
     lengths_percent.push_back(100 * std::abs(fix.told_blur->length_px - length) / length);
   }
   if (directions_deg.empty()) return result;

@@ -24,6 +24,16 @@ TEST(Size, OfAnyOutlineScalesWithIt) {
   EXPECT_DOUBLE_EQ(size_of(Ellipse{{0, 0}, 8, 3, 1}), 16);
 }
 
+TEST(BetweenAxes, IsTheSameWhateverTheirSensesAndOrder) {
+  constexpr double kPi = std::numbers::pi;
+  for (const double from : {-7.0, -0.1, 0.0, 1.0, 3.1, 9.0})
+    for (const double apart : {0.0, 0.3, 1.5, kPi / 2})
+      for (const double sense : {-2 * kPi, 0.0, kPi, 3 * kPi}) {
+        EXPECT_NEAR(between_axes(from, from + apart + sense), apart, 1e-12);
+        EXPECT_NEAR(between_axes(from - apart + sense, from), apart, 1e-12);
+      }
+}
+
 TEST(DiagonalsMeet, WhereASquaresCentreIsSeenUnderPerspective) {
   // A unit square about the origin, seen by x' = x / (1 + x / 4), y' = y / (1 + x / 4): the centre stays at
   // 0, 0.
