@@ -31,8 +31,8 @@ class SparseFollower final : public particles::ParticleFollower {
 
   void explain(const Observations& seen, std::vector<double>& unexplained) override;
   std::vector<std::size_t> most_promising_first(const Observations& seen);
-  std::optional<BlurEstimate> read_blur(std::size_t best, const State& state) override;
-  void learn(const Eigen::Ref<const Eigen::VectorXf>& look, std::size_t best, bool sharp) override;
+  std::optional<BlurEstimate> read_blur(const State& state) override;
+  void learn(const Eigen::Ref<const Eigen::VectorXf>& look, bool sharp) override;
   bool occluded(const Eigen::Ref<const Eigen::VectorXf>& look);
   double angle_to_best_template(const Eigen::Ref<const Eigen::VectorXf>& look) const;
 
@@ -77,7 +77,7 @@ std::vector<std::size_t> SparseFollower::most_promising_first(const Observations
   return order;
 }
 
-std::optional<BlurEstimate> SparseFollower::read_blur(std::size_t, const State& state) {
+std::optional<BlurEstimate> SparseFollower::read_blur(const State& state) {
   if (!options_.blur_templates) return std::nullopt;
   const auto blurred = templates_->blurred(best_.coefficients);
   const double sharp = best_.coefficients.sum() - blurred.sum();
@@ -92,7 +92,7 @@ std::optional<BlurEstimate> SparseFollower::read_blur(std::size_t, const State& 
 
 /// A new look takes the place of the sharp template that has the least part in the estimate. Blurred looks are not
 /// learnt (Liang et al., "Blurred target tracking by blur-driven templates", ACCV 2014): sharp templates stay sharp.
-void SparseFollower::learn(const Eigen::Ref<const Eigen::VectorXf>& look, std::size_t, bool sharp) {
+void SparseFollower::learn(const Eigen::Ref<const Eigen::VectorXf>& look, bool sharp) {
   if (!options_.update) return;
   if (occluded(look)) frames_without_update_ = options_.occlusion_frames + 1;
   if (frames_without_update_ > 0) {

@@ -38,7 +38,7 @@ class IvtFollower final : public particles::ParticleFollower {
       if (seen.usable[i]) unexplained[i] = distances[static_cast<Eigen::Index>(i)];
   }
 
-  void learn(const Eigen::Ref<const Eigen::VectorXf>& look, std::size_t, bool) override {
+  void learn(const Eigen::Ref<const Eigen::VectorXf>& look, bool) override {
     batch_.col(waiting_++) = look;
     if (waiting_ < batch_.cols()) return;
     subspace_.learn(batch_);

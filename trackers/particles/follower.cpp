@@ -30,10 +30,10 @@ std::optional<Sighting> ParticleFollower::follow(const Image& picture) {
   if (!best) return std::nullopt;
 
   const State& estimate = proposed_[*best];
-  const auto blur = read_blur(*best, estimate);
+  const auto blur = read_blur(estimate);
   move_estimate(estimate, blur);
   particles_ = resampled(weights_, proposed_, random_);
-  learn(observations_.look.col(static_cast<Eigen::Index>(*best)), *best, !blur);
+  learn(observations_.look.col(static_cast<Eigen::Index>(*best)), !blur);
 
   const double unexplained = unexplained_[*best];
   if (1 - unexplained < options_.least_confidence) return std::nullopt;

@@ -28,15 +28,12 @@ class ParticleFollower : public Follower {
   /// usable. A model may leave out particles whose weight would be too small to matter: theirs stays infinite.
   virtual void explain(const Observations& observations, std::vector<double>& unexplained) = 0;
 
-  /// `best` is the look that is explained best, seen at `state`. Returns the motion that its blur tells, in the
-  /// picture, for models that know one.
-  virtual std::optional<BlurEstimate> read_blur(std::size_t best, const State& state) {
-    (void)best, (void)state;
-    return std::nullopt;
-  }
+  /// The motion that the blur of the look explained best tells, in the picture, for models that know one; it was
+  /// seen at `state`.
+  virtual std::optional<BlurEstimate> read_blur([[maybe_unused]] const State& state) { return std::nullopt; }
 
   /// Learns from the estimate, perhaps. `sharp`: no blur was read.
-  virtual void learn(const Eigen::Ref<const Eigen::VectorXf>& look, std::size_t best, bool sharp) = 0;
+  virtual void learn(const Eigen::Ref<const Eigen::VectorXf>& look, bool sharp) = 0;
 
   const ParticleOptions& options() const { return options_; }
   Vec2 start_size() const { return start_size_; }
