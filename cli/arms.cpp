@@ -8,11 +8,17 @@
 #include <map>
 #include <tuple>
 
+#include "cli/comparison.h"
 #include "core/error.h"
 #include "eval/scores/common_frames.h"
 
 namespace relock {
 namespace {
+
+template <class Value>
+void add_new(std::vector<Value>& all, const Value& value) {
+  if (std::find(all.begin(), all.end(), value) == all.end()) all.push_back(value);
+}
 
 bool as_recorded(const StoredComparison& comparison) { return conditions_of(comparison).gaps == "none"; }
 
@@ -68,6 +74,33 @@ std::vector<std::vector<Arms>> arms_by_pattern(const std::vector<StoredCompariso
   std::vector<std::vector<Arms>> patterns;
   for (const auto& [pattern, arms] : by_pattern) patterns.push_back(arms);
   return patterns;
+}
+
+PairedConditions paired_conditions(const std::vector<Arms>& all, const std::optional<std::string>& gate) {
+  const StoredComparison& first = all.front().conditions;
+  const RunRecord& record = conditions_of(first);
+  PairedConditions conditions{record.gaps, record.showing(), gate_of(first, gate), {}, {}};
+  for (const Arms& arms : all) {
+    add_new(conditions.recordings, arms.conditions.recording.name);
+    add_new(conditions.seeds, arms.with.record.seed);
+  }
+  return conditions;
+}
+
+std::string to_string(const PairedConditions& c) {
+  return fmt::format("seed{} {}, {}, gate {}", c.seeds.size() == 1 ? "" : "s", fmt::join(c.seeds, ", "),
+                     spoken(c.showing), to_string(c.gate));
+}
+
+Json json_of(const PairedConditions& c) {
+  return {{"gaps", c.gaps},
+          {"protocol", to_string(c.showing.protocol)},
+          {"start", c.showing.anchor ? Json(to_string(*c.showing.anchor)) : Json()},
+          {"real_time", c.showing.real_time},
+          {"latency", c.showing.latency},
+          {"gate", to_string(c.gate)},
+          {"recordings", c.recordings},
+          {"seeds", c.seeds}};
 }
 
 std::vector<std::string> without_a_pair(const std::vector<StoredComparison>& comparisons) {

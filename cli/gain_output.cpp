@@ -29,7 +29,7 @@ std::string gain_cell(CostScore score, const Gained& gained) {
   if (const auto& i = gained.interval)
     text += fmt::format(" [{}, {}]", signed_cell(shown(score, i->low), decimals),
                         signed_cell(shown(score, i->high), decimals));
-  return text + (verdict_on(score, gained) != 0 ? "*" : " ");
+  return text + (verdict_on(score, gained.interval) != 0 ? "*" : " ");
 }
 
 void add_line(Table& table, const std::vector<std::string>& columns, const GainRow& row, CostScore score,
@@ -50,9 +50,8 @@ std::string counted(const std::vector<std::string>& names, const std::string& wh
 }
 
 std::string heading(const GainExperiment& e) {
-  return fmt::format("Gain of combinations, gaps {}: {}, seed{} {}, {}, gate {}\n", e.gaps,
-                     counted(e.recordings, "recordings"), e.seeds.size() == 1 ? "" : "s",
-                     fmt::join(e.seeds, ", "), spoken(e.showing), to_string(e.gate));
+  return fmt::format("Gain of combinations, gaps {}: {}, {}\n", e.gaps, counted(e.recordings, "recordings"),
+                     to_string(static_cast<const PairedConditions&>(e)));
 }
 
 /// What a row does not stand on, where that is so.
@@ -104,24 +103,18 @@ Json json_of(const MemberGain& member) {
 
 Json json_of(const GainExperiment& e, const GainRow& row, std::size_t member) {
   const MemberGain& gain = row.gain.members[member];
-  return {{"gaps", e.gaps},
-          {"protocol", to_string(e.showing.protocol)},
-          {"start", e.showing.anchor ? Json(to_string(*e.showing.anchor)) : Json()},
-          {"real_time", e.showing.real_time},
-          {"latency", e.showing.latency},
-          {"gate", to_string(e.gate)},
-          {"recordings", e.recordings},
-          {"seeds", e.seeds},
-          {"tracker", row.tracker},
-          {"method", row.methods[member]},
-          {"deterministic", row.deterministic},
-          {"pairs", row.pairs},
-          {"frames", row.gain.frames},
-          {"common_frames", row.gain.common_frames},
-          {"targets", row.gain.targets},
-          {"common_targets", row.gain.common_targets},
-          {"losses", {{"without", gain.losses_without}, {"with", gain.losses_with}}},
-          {"scores", json_of(gain)}};
+  Json one = json_of(static_cast<const PairedConditions&>(e));
+  one.update(Json{{"tracker", row.tracker},
+                  {"method", row.methods[member]},
+                  {"deterministic", row.deterministic},
+                  {"pairs", row.pairs},
+                  {"frames", row.gain.frames},
+                  {"common_frames", row.gain.common_frames},
+                  {"targets", row.gain.targets},
+                  {"common_targets", row.gain.common_targets},
+                  {"losses", {{"without", gain.losses_without}, {"with", gain.losses_with}}},
+                  {"scores", json_of(gain)}});
+  return one;
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <set>
 #include <tuple>
 
-#include "cli/arms.h"
 #include "cli/combinations.h"
 #include "cli/comparison.h"
 #include "core/error.h"
@@ -13,11 +12,6 @@
 
 namespace relock {
 namespace {
-
-template <class Value>
-void add_new(std::vector<Value>& all, const Value& value) {
-  if (std::find(all.begin(), all.end(), value) == all.end()) all.push_back(value);
-}
 
 /// A method in the results: its arms, in the order of the results.
 struct Member {
@@ -67,7 +61,9 @@ std::vector<std::string> columns_of(const std::vector<Member>& members) {
   std::set<decltype(place_of(members.front()))> places;
   for (const Member& member : members) places.insert(place_of(member));
   std::vector<std::string> columns;
-  for (const auto& place : places) add_new(columns, std::get<std::string>(place));
+  for (const auto& place : places) columns.push_back(std::get<std::string>(place));
+  columns.erase(std::unique(columns.begin(), columns.end()),
+                columns.end());  // kcf and track(kcf) are both alone
   return columns;
 }
 
@@ -130,13 +126,7 @@ GainRow row_of(const std::vector<const Member*>& members, const Gate& gate) {
 }
 
 GainExperiment experiment_on(const std::vector<Arms>& all, const std::optional<std::string>& gate) {
-  const StoredComparison& conditions = all.front().conditions;
-  const RunRecord& first = conditions_of(conditions);
-  GainExperiment experiment{first.gaps, first.showing(), gate_of(conditions, gate), {}, {}, {}, {}, {}};
-  for (const Arms& arms : all) {
-    add_new(experiment.recordings, arms.conditions.recording.name);
-    add_new(experiment.seeds, arms.with.record.seed);
-  }
+  GainExperiment experiment{paired_conditions(all, gate), {}, {}, {}};
   const std::vector<Member> members = members_of(all);
   experiment.columns = columns_of(members);
   std::map<std::string, std::vector<const Member*>> combined;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/arms.h"
 #include "cli/runs/folder.h"
 #include "eval/scores/gain.h"
 
@@ -20,13 +21,8 @@ struct GainRow {
   FamilyGain gain;                   ///< members as `methods`
 };
 
-/// What combinations gain over the tracker in them, with one gap pattern and without; all shown in the same way.
-struct GainExperiment {
-  std::string gaps;
-  Showing showing;
-  Gate gate;
-  std::vector<std::string> recordings;
-  std::vector<std::uint64_t> seeds;
+/// What combinations gain over the tracker in them, with one gap pattern and without.
+struct GainExperiment : PairedConditions {
   std::vector<GainRow> rows;
   std::vector<std::string> columns;           ///< of all rows, as they stand in the table
   std::vector<std::string> alone_is_missing;  ///< combinations whose tracker alone was not run

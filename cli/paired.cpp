@@ -22,20 +22,11 @@ GapCost cost_of(const std::vector<Arms>& all, const std::string& of, const Gate&
   return cost_of_gaps(pairs, gate);
 }
 
-template <class Value>
-void add_new(std::vector<Value>& all, const Value& value) {
-  if (std::find(all.begin(), all.end(), value) == all.end()) all.push_back(value);
-}
-
 GapExperiment experiment_on(const std::vector<Arms>& all, const std::optional<std::string>& gate) {
-  const StoredComparison& conditions = all.front().conditions;
-  const RunRecord& first = conditions_of(conditions);
-  GapExperiment experiment{first.gaps, first.showing(), gate_of(conditions, gate), {}, {}, {}};
+  GapExperiment experiment{paired_conditions(all, gate), {}};
   std::vector<const RunRecord*> methods;
   for (const Arms& arms : all) {
     const RunRecord& record = arms.with.record;
-    add_new(experiment.recordings, arms.conditions.recording.name);
-    add_new(experiment.seeds, record.seed);
     const auto same = [&](const RunRecord* other) { return other->method == record.method; };
     if (std::none_of(methods.begin(), methods.end(), same)) methods.push_back(&record);
   }
@@ -58,7 +49,7 @@ std::string mark(int verdict) { return verdict < 0 ? "worse" : verdict > 0 ? "be
 void add_score(Table& table, CostScore which, const PairedScore& score, int decimals) {
   table.add({fmt::format("  {}", to_string(which)), cell(score.without, decimals), cell(score.with, decimals),
              signed_cell(score.difference, decimals), interval_text(score.interval, decimals),
-             mark(verdict_on(which, score))});
+             mark(verdict_on(which, score.interval))});
 }
 
 /// An error below the accuracy of the labels says nothing, and neither does its difference.
@@ -94,14 +85,9 @@ bool same_in_both(const GapCost& cost) {
                      [](const PairedScore& s) { return s.difference.value_or(0) == 0; });
 }
 
-std::string listed(const std::string& what, std::size_t count, const std::string& items) {
-  return fmt::format("{}{} {}", what, count == 1 ? "" : "s", items);
-}
-
 std::string heading(const GapExperiment& e) {
-  return fmt::format("Cost of the gaps {}: {}, {}, {}, gate {}\n", e.gaps, fmt::join(e.recordings, ", "),
-                     listed("seed", e.seeds.size(), fmt::format("{}", fmt::join(e.seeds, ", "))),
-                     spoken(e.showing), to_string(e.gate));
+  return fmt::format("Cost of the gaps {}: {}, {}\n", e.gaps, fmt::join(e.recordings, ", "),
+                     to_string(static_cast<const PairedConditions&>(e)));
 }
 
 /// Then frames come that a busy method never looks at.
@@ -152,27 +138,21 @@ Json json_of(const GapExperiment& e, const GapExperiment::MethodCost& m) {
     std::replace(name.begin(), name.end(), ' ', '_');
     scores[name] = json_of(m.cost.scores[i]);
   }
-  return {{"gaps", e.gaps},
-          {"protocol", to_string(e.showing.protocol)},
-          {"start", e.showing.anchor ? Json(to_string(*e.showing.anchor)) : Json()},
-          {"real_time", e.showing.real_time},
-          {"latency", e.showing.latency},
-          {"gate", to_string(e.gate)},
-          {"recordings", e.recordings},
-          {"seeds", e.seeds},
-          {"method", m.method},
-          {"yardstick", m.yardstick},
-          {"deterministic", m.deterministic},
-          {"pairs", m.cost.pairs},
-          {"ended_at_reset", m.cost.ended_at_reset},
-          {"frames", m.cost.frames},
-          {"common_frames", m.cost.common_frames},
-          {"losses", {{"without", m.cost.losses_without}, {"with", m.cost.losses_with}}},
-          {"scores", scores},
-          {"recorded_availability",
-           {{"without", number(m.cost.recorded_availability_without)},
-            {"with", number(m.cost.recorded_availability_with)}}},
-          {"label_sigma_px", m.cost.label_sigma_px}};
+  Json one = json_of(static_cast<const PairedConditions&>(e));
+  one.update(Json{{"method", m.method},
+                  {"yardstick", m.yardstick},
+                  {"deterministic", m.deterministic},
+                  {"pairs", m.cost.pairs},
+                  {"ended_at_reset", m.cost.ended_at_reset},
+                  {"frames", m.cost.frames},
+                  {"common_frames", m.cost.common_frames},
+                  {"losses", {{"without", m.cost.losses_without}, {"with", m.cost.losses_with}}},
+                  {"scores", scores},
+                  {"recorded_availability",
+                   {{"without", number(m.cost.recorded_availability_without)},
+                    {"with", number(m.cost.recorded_availability_with)}}},
+                  {"label_sigma_px", m.cost.label_sigma_px}});
+  return one;
 }
 
 }  // namespace

@@ -10,24 +10,20 @@
 
 namespace relock {
 
-/// What one gap pattern cost the methods: paired over recordings and seeds, all shown in the same way.
-struct GapExperiment {
+/// What one gap pattern cost the methods.
+struct GapExperiment : PairedConditions {
   struct MethodCost {
     std::string method;
     bool yardstick = false;
     bool deterministic = true;
     GapCost cost;
   };
-  std::string gaps;
-  Showing showing;
-  Gate gate;
-  std::vector<std::string> recordings;
-  std::vector<std::uint64_t> seeds;
   std::vector<MethodCost> methods;  ///< yardsticks last
 };
 
 /// The experiments that are whole among `comparisons`: of every gap pattern the runs that were made as
-/// recorded, too (cli/arms.h). `gate`: else the one by which resets were judged, else centre. Throws Error when no run has both arms.
+/// recorded, too (cli/arms.h). `gate`: else the one by which resets were judged, else centre. Throws Error when
+/// no run has both arms.
 std::vector<GapExperiment> gap_experiments(const std::vector<StoredComparison>& comparisons,
                                            const std::optional<std::string>& gate);
 

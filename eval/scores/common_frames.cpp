@@ -45,13 +45,6 @@ Duration period_of_common(const Recording& recording, const std::vector<bool>& c
   return captured.size() < 2 ? recording.period : nominal_period(captured);
 }
 
-Trajectory on_common(const Trajectory& arm, const std::vector<bool>& common) {
-  Trajectory kept = up_to(arm, common.size());
-  for (std::size_t frame = 0; frame < common.size(); ++frame)
-    if (!common[frame]) kept.frames[frame] = {.delivery = Delivery::dropped};
-  return kept;
-}
-
 }  // namespace
 
 std::size_t frames_before_reset(const Trajectory& without, const Trajectory& with) {
@@ -61,6 +54,13 @@ std::size_t frames_before_reset(const Trajectory& without, const Trajectory& wit
 Trajectory up_to(Trajectory trajectory, std::size_t frames) {
   trajectory.frames.resize(frames);
   return trajectory;
+}
+
+Trajectory only(const Trajectory& arm, const std::vector<bool>& delivered) {
+  Trajectory kept = up_to(arm, delivered.size());
+  for (std::size_t frame = 0; frame < delivered.size(); ++frame)
+    if (!delivered[frame]) kept.frames[frame] = {.delivery = Delivery::dropped};
+  return kept;
 }
 
 CommonFrames common_frames(const Recording& recording, const Trajectory& without, const Trajectory& with) {
@@ -74,8 +74,8 @@ CommonFrames common_frames(const Recording& recording, const Trajectory& without
     both.common.pop_back();  // no time after the last of them
   both.recording = up_to(recording, both.common.size());
   both.recording.period = period_of_common(recording, both.common);
-  both.without = on_common(without, both.common);
-  both.with = on_common(with, both.common);
+  both.without = only(without, both.common);
+  both.with = only(with, both.common);
   return both;
 }
 

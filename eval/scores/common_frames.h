@@ -27,6 +27,9 @@ std::size_t frames_before_reset(const Trajectory& without, const Trajectory& wit
 /// The first `frames` of a trajectory.
 Trajectory up_to(Trajectory trajectory, std::size_t frames);
 
+/// The trajectory as if only the frames that `delivered` holds true for had come, as long as that is.
+Trajectory only(const Trajectory& arm, const std::vector<bool>& delivered);
+
 /// Throws Error when the trajectories are not both of this recording.
 CommonFrames common_frames(const Recording& recording, const Trajectory& without, const Trajectory& with);
 

@@ -43,14 +43,6 @@ std::vector<bool> delivered_to_all(const Family& family, std::size_t frames) {
   return all;
 }
 
-/// The arm as if only `delivered` frames had come.
-Trajectory narrowed(const Trajectory& arm, const std::vector<bool>& delivered) {
-  Trajectory kept = up_to(arm, delivered.size());
-  for (std::size_t frame = 0; frame < delivered.size(); ++frame)
-    if (!delivered[frame]) kept.frames[frame] = {.delivery = Delivery::dropped};
-  return kept;
-}
-
 std::size_t count_losses(const Evaluation& evaluation, const std::vector<bool>& counts) {
   std::size_t losses = 0;
   for (std::size_t t = 0; t < counts.size(); ++t)
@@ -68,8 +60,8 @@ void add_family(const Family& family, const Gate& gate, SequenceSums& sums, Fami
   gain.common_frames += static_cast<std::size_t>(std::count(delivered.begin(), delivered.end(), true));
   sums.resize(family.members.size());
   for (std::size_t m = 0; m < family.members.size(); ++m) {
-    const CommonFrames both = common_frames(recording, narrowed(family.members[m].without, delivered),
-                                            narrowed(family.members[m].with, delivered));
+    const CommonFrames both = common_frames(recording, only(family.members[m].without, delivered),
+                                            only(family.members[m].with, delivered));
     const Evaluation without = evaluate(both.recording, both.without, gate);
     const Evaluation with = evaluate(both.recording, both.with, gate);
     sums[m].without.add(both.recording, without, counts);
@@ -99,10 +91,6 @@ Gained gained(const std::vector<SequenceSums>& sequences, std::size_t member, Ar
 }
 
 }  // namespace
-
-int verdict_on(CostScore which, const Gained& gained) {
-  return verdict_on(which, PairedScore{{}, {}, gained.gain, gained.interval});
-}
 
 FamilyGain gain_of(std::span<const Family> families, const Gate& gate) {
   FamilyGain gain;

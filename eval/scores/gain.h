@@ -21,8 +21,6 @@ struct Gained {
   std::optional<double> gain;        ///< value - the tracker's alone; of losses less is better
   std::optional<Interval> interval;  ///< 95 %, of the gain; frames stay paired
 };
-/// What the interval says: 1 the member does better than the tracker alone, -1 worse, 0 nothing.
-int verdict_on(CostScore which, const Gained& gained);
 
 /// What a member of the family gains, with gaps and without.
 struct MemberGain {

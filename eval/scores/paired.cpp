@@ -124,9 +124,9 @@ PairedScore paired_error(std::span<const SequenceSums> sequences) {
 
 }  // namespace
 
-int verdict_on(CostScore which, const PairedScore& score) {
-  if (!score.interval || (score.interval->low <= 0 && score.interval->high >= 0)) return 0;
-  const bool more = score.interval->low > 0;
+int verdict_on(CostScore which, const std::optional<Interval>& difference) {
+  if (!difference || (difference->low <= 0 && difference->high >= 0)) return 0;
+  const bool more = difference->low > 0;
   const bool more_is_better = which < CostScore::losses_per_minute;
   return more == more_is_better ? 1 : -1;
 }

@@ -25,9 +25,8 @@ struct PairedScore {
   std::optional<double> difference;  ///< with - without; of error_px the median of the frames' differences
   std::optional<Interval> interval;  ///< 95 %, of the difference; frames stay paired
 };
-/// What the interval says: -1 the method does worse with the gaps, 1 better, 0 nothing (it holds zero, or there
-/// is none).
-int verdict_on(CostScore which, const PairedScore& score);
+/// What the interval of a difference says: -1 worse, 1 better, 0 nothing (it holds zero, or there is none).
+int verdict_on(CostScore which, const std::optional<Interval>& difference);
 
 /// What the gaps cost one method.
 struct GapCost {

@@ -79,5 +79,18 @@ TEST(Combinations, HonourHintsAsTheirTrackerDoes) {
   EXPECT_FALSE(honours("gap-aware(kcf)"));
 }
 
+TEST(Combinations, KnowTheTrackerInThem) {
+  const auto tracker = [](const std::string& text) -> std::string {
+    const auto found = tracker_in(parse_methods(text).front());
+    return found ? found->text() : "none";
+  };
+  EXPECT_EQ(tracker("guarded(gap-aware(kcf(resize=false),margin=0.2),ring)"), "kcf(resize=false)");
+  EXPECT_EQ(tracker("hybrid(ring,blur-predict(blut,ring))"), "blut");
+  EXPECT_EQ(tracker("track(csrt)"), "csrt");
+  EXPECT_EQ(tracker("detect(ring)"), "none");
+  EXPECT_EQ(with_tracker(parse_methods("guarded(gap-aware(kcf,margin=0.2),ring)").front(), "T").text(),
+            "guarded(gap-aware(T,margin=0.2),ring)");
+}
+
 }  // namespace
 }  // namespace relock

@@ -2,39 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/combinations.h"
 #include "core/error.h"
+#include "made_comparison.h"
 
 namespace relock {
 namespace {
 
-/// Runs of methods on a target that is always visible: H where it is, M nothing said, . never came.
+/// What each method said of the one target, one letter a frame (made_comparison.h).
 StoredComparison comparison(const std::string& gaps,
-                            const std::vector<std::pair<std::string, std::string>>& runs) {
-  const std::size_t frames = runs.front().second.size();
-  StoredComparison made{{}, {"flight", {640, 360}, period_of(30), {}, {{"target"}}, {}}, {}};
-  for (std::size_t i = 0; i < frames; ++i) {
-    made.recording.captured.push_back(Time{static_cast<std::int64_t>(i) * made.recording.period});
-    TargetTruth truth{Label::visible};
-    truth.outline = Box{100, 100, 40, 40};
-    made.recording.truth.push_back(truth);
-  }
-  for (const auto& [method, letters] : runs) {
-    StoredRun run;
-    run.record.recording = "flight";
-    run.record.method = method;
-    run.record.gaps = gaps;
-    run.trajectory.judged_from = {0};
-    run.trajectory.failed_from = {{}};
-    for (const char letter : letters) {
-      FrameReport report;
-      if (letter == '.') report.delivery = Delivery::dropped;
-      if (letter == 'H') report.sightings = {sighting_of(Box{100, 100, 40, 40})};
-      run.trajectory.frames.push_back(report);
-    }
-    made.runs.push_back(run);
-  }
-  return made;
+                            const std::vector<std::pair<std::string, std::string>>& said) {
+  std::vector<MadeRun> runs;
+  for (const auto& [method, letters] : said) runs.push_back({method, {letters}});
+  return made_comparison("flight", runs, {.gaps = gaps});
 }
 
 const std::vector<StoredComparison> kcf_and_two_of_it{comparison("none", {{"kcf", "HHHHHHHH"},
@@ -83,19 +62,6 @@ TEST(Gains, TellAsJsonWhatTheTableTells) {
 TEST(Gains, KnowScoresByTheirWords) {
   EXPECT_EQ(gain_score("losses"), CostScore::losses_per_minute);
   EXPECT_THROW(gain_score("lost"), Error);
-}
-
-TEST(Combinations, KnowTheTrackerInThem) {
-  const auto tracker = [](const std::string& text) -> std::string {
-    const auto found = tracker_in(parse_methods(text).front());
-    return found ? found->text() : "none";
-  };
-  EXPECT_EQ(tracker("guarded(gap-aware(kcf(resize=false),margin=0.2),ring)"), "kcf(resize=false)");
-  EXPECT_EQ(tracker("hybrid(ring,blur-predict(blut,ring))"), "blut");
-  EXPECT_EQ(tracker("track(csrt)"), "csrt");
-  EXPECT_EQ(tracker("detect(ring)"), "none");
-  EXPECT_EQ(with_tracker(parse_methods("guarded(gap-aware(kcf,margin=0.2),ring)").front(), "T").text(),
-            "guarded(gap-aware(T,margin=0.2),ring)");
 }
 
 }  // namespace

@@ -3,41 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "made_comparison.h"
 
 namespace relock {
 namespace {
 
-/// A target that is always visible; one frame a letter at 30 Hz.
-Recording recording_of(std::size_t frames, const std::string& name) {
-  Recording made{name, {640, 360}, period_of(30), {}, {{"target"}}, {}};
-  for (std::size_t i = 0; i < frames; ++i) {
-    made.captured.push_back(Time{static_cast<std::int64_t>(i) * made.period});
-    TargetTruth truth{Label::visible};
-    truth.outline = Box{100, 100, 40, 40};
-    made.truth.push_back(truth);
-  }
-  return made;
-}
-
-/// One method's run: H where the target is, M nothing said, . never came.
+/// What one method said of the one target, one letter a frame (made_comparison.h).
 StoredComparison comparison(const std::string& name, const std::string& gaps, std::uint64_t seed,
                             const std::string& letters, const std::string& method = "mine") {
-  StoredComparison made{{}, recording_of(letters.size(), name), {}};
-  StoredRun run;
-  run.record.recording = name;
-  run.record.method = method;
-  run.record.gaps = gaps;
-  run.record.seed = seed;
-  run.trajectory.judged_from = {0};
-  run.trajectory.failed_from = {{}};
-  for (const char letter : letters) {
-    FrameReport report;
-    if (letter == '.') report.delivery = Delivery::dropped;
-    if (letter == 'H') report.sightings = {sighting_of(Box{100, 100, 40, 40})};
-    run.trajectory.frames.push_back(report);
-  }
-  made.runs.push_back(run);
-  return made;
+  return made_comparison(name, {{method, {letters}}}, {.gaps = gaps, .seed = seed});
 }
 
 TEST(GapExperiments, AreOneForEachPatternOverRecordingsAndSeeds) {

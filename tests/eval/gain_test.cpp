@@ -109,8 +109,8 @@ TEST(Gain, HasAnIntervalOverManySequencesThatKnowsWhichMemberIsBetter) {
   ASSERT_TRUE(gained.interval);
   EXPECT_GT(gained.interval->low, 0);
   EXPECT_LT(gained.interval->low, *gained.gain);
-  EXPECT_EQ(verdict_on(CostScore::recognition, gained), 1);
-  EXPECT_EQ(verdict_on(CostScore::losses_per_minute, gained), -1);  // of losses less is better
+  EXPECT_EQ(verdict_on(CostScore::recognition, gained.interval), 1);
+  EXPECT_EQ(verdict_on(CostScore::losses_per_minute, gained.interval), -1);  // of losses less is better
 }
 
 }  // namespace

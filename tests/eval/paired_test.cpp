@@ -164,7 +164,7 @@ TEST(CostOfGaps, IsWhatAMethodWasBuiltToLoseAfterEveryGap) {
   EXPECT_NEAR(pair[CostScore::locked_share].difference.value(), -40 * 9 / (frames - 1), 1e-9);
   for (const CostScore score : {CostScore::recognition, CostScore::locked_share, CostScore::availability,
                                 CostScore::losses_per_minute}) {
-    EXPECT_EQ(verdict_on(score, pair[score]), -1)
+    EXPECT_EQ(verdict_on(score, pair[score].interval), -1)
         << to_string(score) << " in [" << pair[score].interval.value_or(Interval{}).low << ", "
         << pair[score].interval.value_or(Interval{}).high << "]";
   }
