@@ -12,9 +12,9 @@
 // command line they are detect(D), track(T), hybrid(D,T), guarded(T,D), gap-aware(T) and blur-predict(T[,D])
 // (docs/combining.md).
 //
-// Times are the frames' own: a gap is more than 1.5 nominal periods since the last frame that was shown, and the nominal
-// period is estimated from the frames shown so far where it is not given. Places that are apart are measured in sizes of the target
-// (core/geometry.h, size_of).
+// Times are the frames' own: a gap is more than 1.5 nominal periods since the last frame that was shown, and the
+// nominal period is estimated from the frames shown so far where it is not given. Places that are apart are measured
+// in sizes of the target (core/geometry.h, size_of).
 
 namespace relock {
 
@@ -96,8 +96,8 @@ struct GapOptions {
 /// A tracker that knows the time since the last frame. After a gap it is told (Tracker::expect) where the
 /// target is thought to be: at constant velocity, from the last two answers over their true times, give or take `spread`
 /// sizes for each missing period. A tracker that ignores hints has its target looked for there by `searcher`:
-/// when another place looks more alike than the old one by `margin`, a new tracker starts there. Where no velocity is known,
-/// right after a start, it is looked for about the old place.
+/// when another place looks more alike than the old one by `margin`, a new tracker starts there. Where no velocity is
+/// known, right after a start, it is looked for about the old place.
 ///
 /// Where no frame is missing it does what its tracker does, to the bit.
 std::unique_ptr<Tracker> gap_aware(TrackerFactory make_tracker, Hints hints,
@@ -115,9 +115,10 @@ std::unique_ptr<Tracker> gap_aware(TrackerFactory make_tracker, Hints hints,
 /// Estimates of blur may be poor. So the blur must have told better than the answers did: the medians of both
 /// errors, over the same steps from frame to frame. Until 5 steps are seen it is believed if E is given.
 ///
-/// Where the answers do not tell which way (right after a start there is one; some trackers stand still in their first
-/// frame), the target is looked for on both sides: a tracker that honours hints is told the old place with the distance as uncertainty. At the first frame after
-/// the start the nominal period must be given, else no gap is known for one.
+/// Where the answers do not tell which way (right after a start there is one; some trackers stand still in their
+/// first frame), the target is looked for on both sides: a tracker that honours hints is told the old place with the
+/// distance as uncertainty. At the first frame after the start the nominal period must be given, else no gap is
+/// known for one.
 ///
 /// The blur is the tracker's own (Sighting::blur), else what `meter` says. Where neither says any
 /// it is gap_aware.

@@ -35,8 +35,8 @@ class MotionMemory {
 
   /// From the last two answers over their true times.
   std::optional<Vec2> velocity() const;
-  /// Speed and line from the last blur, sign from the last two answers: one velocity. Where they tell no sign (there are
-  /// not two, or they moved by less than a quarter of the blur's speed: a tracker may stand still in its first
+  /// Speed and line from the last blur, sign from the last two answers: one velocity. Where they tell no sign (there
+  /// are not two, or they moved by less than a quarter of the blur's speed: a tracker may stand still in its first
   /// frame), both; none where the last answer has no blur.
   std::vector<Vec2> velocities_by_blur() const;
   /// Whether the blur told steps from frame to frame at least as well as the answers did, so far; empty: from

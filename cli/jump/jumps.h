@@ -10,7 +10,8 @@
 
 namespace relock::jumps {
 
-/// One jump: started on a frame, shown `before` more (0: the gap follows the start at once), `missing` not shown, `after` shown, and judged on the last.
+/// One jump: started on a frame, shown `before` more (0: the gap follows the start at once), `missing` not shown,
+/// `after` shown, and judged on the last.
 struct JumpTest {
   int before = 8, after = 5;
   int most_missing = 14;
