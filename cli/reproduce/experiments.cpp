@@ -1,5 +1,8 @@
+#include "cli/reproduce/ablation.h"
 #include "cli/reproduce/experiment.h"
 #include "cli/reproduce/flight_experiments.h"
+#include "cli/reproduce/gap_strips.h"
+#include "cli/reproduce/gaps_or_blur.h"
 #include "cli/reproduce/localization.h"
 #include "cli/reproduce/pictures.h"
 #include "cli/reproduce/recognition.h"
@@ -16,6 +19,10 @@ const std::vector<Experiment>& experiments() {
       {"table-1", "error of a ring's centre on that canvas", table_1},
       {"table-2", "rings and square markers on four simulated flights", table_2},
       {"figure-12", "the same round a box", figure_12},
+      {"figure-13", "a ring 00 as the blur-driven tracker loses it, beside its detector", figure_13},
+      {"figure-14", "the same with a ring 01", figure_14},
+      {"gaps-or-blur", "what trackers lose a ring at: the jump over a gap, its time, or blur", gaps_or_blur},
+      {"ablation", "what each idea in the blur-driven tracker is worth", ablation},
   };
   return all;
 }

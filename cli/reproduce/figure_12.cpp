@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/reproduce/flight_experiments.h"
+#include "cli/reproduce/flight_runs.h"
 #include "cli/reproduce/flights.h"
 
 namespace relock::reproduction {

@@ -1,51 +1,13 @@
 #include "cli/reproduce/flight_scores.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "cli/reproduce/contenders.h"
-#include "cli/runs/folder.h"
-#include "cli/runs/missing.h"
-#include "core/error.h"
 #include "eval/statistics/ratio.h"
 
 namespace relock::reproduction {
 namespace {
-
-std::vector<MethodSpec> those_there(const std::vector<std::string>& wanted, const Methods& methods) {
-  std::vector<MethodSpec> there;
-  for (const std::string& method : wanted)
-    if (is_built_in(methods, method)) there.push_back(parse_methods(method).front());
-  if (there.empty()) throw Error(fmt::format("none of the methods {} is known", fmt::join(wanted, ", ")));
-  return there;
-}
-
-Plan plan_of_runs(const std::filesystem::path& out, const std::vector<NamedFlight>& flights,
-                  std::vector<MethodSpec> methods) {
-  Plan plan;
-  for (const NamedFlight& flight : flights) plan.sequences.push_back({flight_folder(out, flight.name)});
-  plan.methods = std::move(methods);
-  plan.protocols = {Protocol::detect};
-  plan.out = out / "runs";
-  return plan;
-}
-
-/// The comparison that each sequence's runs belong to.
-std::vector<ScoredComparison> read_runs_of(const Matrix& matrix) {
-  std::vector<ScoredComparison> all;
-  for (std::size_t c = 0; c < matrix.conditions.size(); ++c) {
-    const auto run = std::ranges::find(matrix.runs, c, &PlannedRun::condition);
-    StoredComparison stored = std::move(read_results(run->folder.parent_path()).front());
-    std::erase_if(stored.runs, [&](const StoredRun& there) {
-      return std::ranges::none_of(
-          matrix.runs, [&](const PlannedRun& asked) { return asked.method.text == there.record.method; });
-    });
-    all.push_back(scored(std::move(stored), Gate{}));
-  }
-  return all;
-}
 
 /// `part` of `whole` in each frame, flight by flight.
 template <class Part, class Whole>
@@ -120,23 +82,7 @@ LaneKind kind_of(const ScoredComparison& flight, std::size_t run, std::size_t fr
   return visible ? kNotDetected : kNotVisible;
 }
 
-bool above_100ms(Duration interval, Duration period) {
-  return static_cast<double>(slots(interval, period)) * seconds(period) > 0.1 + 1e-6;
-}
-
 }  // namespace
-
-std::vector<ScoredComparison> fly_and_run(const Settings& settings, const std::vector<NamedFlight>& flights,
-                                          const std::vector<std::string>& wanted, const Methods& methods) {
-  std::vector<MethodSpec> there = those_there(wanted, methods);
-  fly_missing(settings.out, flights, settings.jobs);
-  const Plan plan = plan_of_runs(settings.out, flights, std::move(there));
-  const Matrix matrix = multiply_out(plan, methods);
-  const ResultsLock lock = prepare_results(plan.out);
-  if (make_missing_runs(matrix, settings.jobs) > 1)
-    throw Error("the runs on the flights are not complete; the same command goes on from there");
-  return read_runs_of(matrix);
-}
 
 std::vector<FlightScores> flight_scores(const std::vector<ScoredComparison>& flights) {
   std::vector<FlightScores> all;
@@ -152,6 +98,10 @@ std::vector<FlightScores> flight_scores(const std::vector<ScoredComparison>& fli
 const FlightScores* find(const std::vector<FlightScores>& scores, std::string_view method) {
   const auto at = std::ranges::find(scores, method, &FlightScores::method);
   return at == scores.end() ? nullptr : &*at;
+}
+
+bool above_100ms(Duration interval, Duration period) {
+  return static_cast<double>(slots(interval, period)) * seconds(period) > 0.1 + 1e-6;
 }
 
 GapStatistics gap_statistics(const std::vector<Time>& captured, Duration period) {

@@ -5,20 +5,13 @@
 #include <vector>
 
 #include "cli/comparison.h"
-#include "cli/flights.h"
 #include "cli/plot/plot.h"
 #include "cli/reproduce/experiment.h"
 #include "cli/scores/judged.h"
 
-// Flights, what methods made of them, and what that comes to.
+// What methods made of flights, and what that comes to.
 
 namespace relock::reproduction {
-
-/// Flies what is missing into OUT/flights, runs those of `wanted` that there are on every flight (protocol detect) into
-/// OUT/runs, and reads and scores all of it, flight by flight. Whatever is there already is kept. Throws Error when
-/// none of the methods is known, and when the runs are not complete: after an interrupt, say.
-std::vector<ScoredComparison> fly_and_run(const Settings& settings, const std::vector<NamedFlight>& flights,
-                                          const std::vector<std::string>& wanted, const Methods& methods);
 
 /// A share, and its 95 % interval where it can be told.
 struct Share {
@@ -46,6 +39,9 @@ struct FlightScores {
 std::vector<FlightScores> flight_scores(const std::vector<ScoredComparison>& flights);
 /// Nothing when the method was not run.
 const FlightScores* find(const std::vector<FlightScores>& scores, std::string_view method);
+
+/// Whether an interval is longer than 0.1 s, told by its slots: three at 30 Hz are not.
+bool above_100ms(Duration interval, Duration period);
 
 /// How a recording's frames came.
 struct GapStatistics {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cli/reproduce/flight_experiments.h"
+#include "cli/reproduce/flight_runs.h"
 #include "cli/reproduce/flights.h"
 
 namespace relock::reproduction {

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "cli/files.h"
+#include "cli/in_parallel.h"
 #include "cli/method_spec.h"
 #include "cli/print/targets.h"
 #include "cli/reproduce/canvas_run.h"
 #include "cli/reproduce/folder.h"
-#include "cli/in_parallel.h"
 #include "cli/reproduce/localization.h"
 #include "cli/reproduce/paper.h"
 #include "cli/reproduce/rates.h"

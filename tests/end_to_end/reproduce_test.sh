@@ -11,25 +11,27 @@ out=$work/quick
 said=$("$relock" reproduce --quick --jobs 2 --out "$out" 2>"$work/errors")
 expect "it is reproduced" 0 $?
 expect "quietly in a pipe" "" "$(cat "$work/errors")"
-for title in "Figure 3" "Figure 8" "Figure 9" "Figure 10" "Figure 11" "Table 1"; do
+for title in "Figure 3" "Figure 8" "Figure 9" "Figure 10" "Figure 11" "Table 1" "Figure 13" "Figure 14" "Gaps or blur"; do
   expect_contains "$title is told, and marked" "$title QUICK: " "$said"
 done
-expect "no title is without the mark" "" "$(grep -E '^(Figure|Table) [0-9]+:' <<<"$said")"
+expect "no title is without the mark" "" "$(grep -E '^((Figure|Table) [0-9]+|Gaps or blur):' <<<"$said")"
 expect_contains "figure 3 has the paper's rates" "ARTag, printed" "$said"
 expect "beside ours with intervals" 2 "$(grep -cE '^ +(arucooriginal|aruco4x4_50):7( +[0-9]+ \[[0-9]+, [0-9]+\]){2}$' <<<"$said")"
 expect_contains "table 1 has the paper's errors" "2.42 ± 1.05" "$said"
+expect_contains "a tracker that looks at no clock is told from one that does" "looks at no clock" "$said"
+expect_contains "the losses at gaps are counted by displacement" "0.5 to 0.75 D" "$said"
 expect_contains "the files are told" "All of it is in $out" "$said"
 expect "what was printed is kept" yes "$([[ $said == "$(cat "$out/reproduction.txt")"* ]] && echo yes)"
-for picture in figure-8 figure-9 figure-10; do
+for picture in figure-8 figure-9 figure-10 figure-13 figure-14; do
   expect "$picture is a picture" "PNG" "$(head -c 4 "$out/$picture-QUICK.png" 2>/dev/null | tail -c 3)"
 done
 if command -v gnuplot >/dev/null; then
-  for plot in figure-3 figure-11 table-1; do
+  for plot in figure-3 figure-11 table-1 gaps-or-blur; do
     expect "$plot is a plot" "$plot-QUICK.pdf $plot-QUICK.png $plot-QUICK.svg" "$(cd "$out" && echo "$plot"-QUICK.*)"
     expect "$plot is marked" yes "$(grep -q QUICK "$out/$plot-QUICK.svg" && echo yes)"
   done
 fi
-expect "no file of a figure is without the mark" "" "$(find "$out" -maxdepth 1 \( -name 'figure-*' -o -name 'table-*' \) -not -name '*QUICK*')"
+expect "no file of a figure is without the mark" "" "$(find "$out" -maxdepth 1 \( -name 'figure-*' -o -name 'table-*' -o -name 'gaps-*' \) -not -name '*QUICK*')"
 expect_contains "all figures are there for programs" '"id": "figure-11"' "$(cat "$out/reproduction.json")"
 
 # It goes on from what is there.
