@@ -21,6 +21,7 @@
 #include "eval/compatibility/vot_multistart.h"
 #include "sequences/benchmark.h"
 #include "sequences/vot_region.h"
+#include "source_folder.h"
 
 namespace relock {
 namespace {

@@ -1,5 +1,8 @@
 #!/usr/bin/env bash
-# Every command in README.md and docs/ does what the page shows.
-# Usage: documentation_test.sh RELOCK      from the project's root
+# Every command in README.md and docs/, or in the pages that are named, does what the page shows.
+# Usage: documentation_test.sh RELOCK [PAGE...]      from the project's root
 set -uo pipefail
-exec perl scripts/check-documentation "$1" README.md docs/*.md
+relock=$1
+shift
+(($#)) || set -- README.md docs/*.md
+exec perl scripts/check-documentation "$relock" "$@"

@@ -6,7 +6,7 @@ source tests/scripts/expect.sh
 relock=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-out=$work/quick
+out=$work/reproduction-quick
 
 said=$("$relock" reproduce --quick --jobs 2 --out "$out" 2>"$work/errors")
 expect "it is reproduced" 0 $?
@@ -44,8 +44,9 @@ expect "one experiment is run again" 0 $?
 expect "what was missing is the same again" "$before" "$(cat "$answers")"
 expect "what was there is kept" "$made" "$(stat -c %y "$kept")"
 expect "its figures are printed" "$json" "$(cat "$out/reproduction.json")"
-"$relock" reproduce --quick --out "$out" >/dev/null
-expect "and all of them are as before" "$figures" "$(cat "$out/reproduction.json")"
+perl scripts/check-documentation --beside "$out" "$relock" docs/reproducing.md
+expect "all of it is what the page shows" 0 $?
+expect "and all figures are as before" "$figures" "$(cat "$out/reproduction.json")"
 
 said=$(PATH=/nonexistent "$relock" reproduce --quick --out "$out" --only figure-3)
 expect "without gnuplot it goes on" 0 $?

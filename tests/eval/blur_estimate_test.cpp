@@ -9,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/opencv.h"
+#include "source_folder.h"
 
 namespace relock {
 namespace {

@@ -12,6 +12,7 @@
 #include "core/random.h"
 #include "sequences/timestamps.h"
 #include "sequences/vot_region.h"
+#include "source_folder.h"
 #include "tests/sequences/scratch.h"
 
 namespace relock {

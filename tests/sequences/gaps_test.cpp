@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "source_folder.h"
 #include "tests/sequences/scratch.h"
 
 namespace relock {

@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include "sequences/image_folder.h"
+#include "source_folder.h"
 #include "tests/sequences/scratch.h"
 
 namespace relock {

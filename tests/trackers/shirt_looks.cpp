@@ -8,6 +8,7 @@
 
 #include "core/blur.h"
 #include "core/random.h"
+#include "source_folder.h"
 
 namespace relock {
 namespace {
