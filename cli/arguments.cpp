@@ -75,6 +75,22 @@ void add_score(CLI::App& app, ScoreArguments& a) {
   format.require_option(0, 1);
 }
 
+void add_compare(CLI::App& app, CompareArguments& a) {
+  CLI::App& verb = *app.add_subcommand("compare", "Tell what changed between two result folders");
+  verb.add_option("a", a.a, "the folder before, or a part of one")->required();
+  verb.add_option("b", a.b, "the folder after")->required();
+  verb.add_option("--pair", a.pairs,
+                  "compare only this method of A with that one of B: 'kcf=csrt'; repeatable, else every "
+                  "method with itself")
+      ->allow_extra_args(false);
+  verb.add_option("--fail-if", a.fail_if,
+                  "exit with 1 when this holds: [METHOD:] METRIC drops|rises > NUMBER [surely], as in "
+                  "'availability drops > 0.02'; repeatable")
+      ->allow_extra_args(false);
+  add_gate(verb, a.gate, "when an answer is a Hit");
+  verb.add_flag("--json", a.json, "print everything as JSON, every loss too");
+}
+
 /// The verbs that tell one thing of all results below a folder.
 void add_results_verb(CLI::App& app, ResultsArguments& a, const std::string& name, const std::string& what) {
   CLI::App& verb = *app.add_subcommand(name, what);
@@ -330,6 +346,7 @@ void add_compatibility(CLI::App& app, CompatibilityArguments& a) {
 void add_verbs(CLI::App& app, Arguments& arguments) {
   add_run(app, arguments.run);
   add_score(app, arguments.score);
+  add_compare(app, arguments.compare);
   add_results_verb(app, arguments.cost, "cost",
                    "Tell what the gaps cost each method, from runs made with --paired");
   add_gain(app, arguments.gain);

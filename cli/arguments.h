@@ -15,6 +15,7 @@ namespace relock {
 struct Arguments {
   RunArguments run;
   ScoreArguments score;
+  CompareArguments compare;
   ResultsArguments cost, survival, attribute;
   GainArguments gain;
   ExplainArguments explain;

@@ -59,6 +59,12 @@ Gate gate_of(const StoredComparison& comparison, const std::optional<std::string
   return gate;
 }
 
+std::size_t recorded_frame(const StoredComparison& comparison, const StoredRun& run, std::size_t frame) {
+  const auto& anchor = run.record.anchor;
+  if (!anchor || anchor->direction == Direction::forward) return frame;
+  return std::max(comparison.recorded_frames, comparison.recording.frames()) - 1 - frame;
+}
+
 std::optional<std::string> end_of_recording(const StoredComparison& comparison) {
   for (const StoredRun& run : comparison.runs)
     if (run.record.cut_short)

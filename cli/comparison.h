@@ -25,6 +25,9 @@ ScoredComparison scored(StoredComparison stored, const Gate& gate);
 /// Throws Error when resets were judged by another one than `asked`.
 Gate gate_of(const StoredComparison& comparison, const std::optional<std::string>& asked);
 
+/// The place of a frame of a run in the recording, whichever way it was played.
+std::size_t recorded_frame(const StoredComparison& comparison, const StoredRun& run, std::size_t frame);
+
 /// Where and why the recording could not be read on, if that is so.
 std::optional<std::string> end_of_recording(const StoredComparison& comparison);
 

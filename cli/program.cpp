@@ -55,6 +55,7 @@ Methods with_plugins(const CLI::App& app, const Arguments& arguments, Methods me
 int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& methods) {
   if (app.got_subcommand("run")) return run(arguments.run, methods);
   if (app.got_subcommand("score")) return score(arguments.score);
+  if (app.got_subcommand("compare")) return compare(arguments.compare);
   if (app.got_subcommand("cost")) return cost(arguments.cost);
   if (app.got_subcommand("gain")) return gain(arguments.gain);
   if (app.got_subcommand("explain")) return explain(arguments.explain);

@@ -66,6 +66,16 @@ struct GainArguments {
 };
 int gain(const GainArguments& arguments);
 
+struct CompareArguments {
+  std::filesystem::path a, b;      ///< before and after
+  std::vector<std::string> pairs;  ///< "kcf=csrt": only these methods, of A and of B; else those of one name
+  std::vector<std::string> fail_if;  ///< conditions (cli/compare/fail_if.h)
+  std::optional<std::string> gate;   ///< else the one by which resets were judged, else centre
+  bool json = false;
+};
+/// 1 when a condition holds, 2 when one cannot be told.
+int compare(const CompareArguments& arguments);
+
 struct ExplainArguments {
   std::filesystem::path folder;
   std::optional<std::string> gate;    ///< else the one by which resets were judged, else centre

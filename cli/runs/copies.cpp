@@ -21,9 +21,9 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
-/// Of what was said when: places are to a ten-thousandth of a pixel, so that answers that agree in all of them are the
-/// same answers.
-std::uint64_t hash_of(const StoredRun& run) {
+}  // namespace
+
+std::uint64_t hash_of_answers(const StoredRun& run) {
   Hash hash;
   for (const FrameReport& frame : run.trajectory.frames) {
     hash.add(static_cast<std::uint64_t>(frame.delivery));
@@ -39,13 +39,11 @@ std::uint64_t hash_of(const StoredRun& run) {
   return hash.value();
 }
 
-}  // namespace
-
 bool KnownRuns::first(const StoredRun& run, const Gate& judged_by) {
   const RunRecord& r = run.record;
   return known_
       .insert({r.recording, r.fingerprint, r.method, r.gaps, r.showing(), r.gate + to_string(judged_by),
-               hash_of(run)})
+               hash_of_answers(run)})
       .second;
 }
 

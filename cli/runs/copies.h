@@ -12,6 +12,10 @@ namespace relock {
 
 // What must not be counted twice, or together, when runs of many folders are put into one table.
 
+/// Of what a run said when: places are to a ten-thousandth of a pixel, so that answers that agree in all of them are
+/// the same answers.
+std::uint64_t hash_of_answers(const StoredRun& run);
+
 /// Runs that say the same of the same frames are one experiment, however often it was made: under several seeds
 /// where nothing was drawn, or in two folders.
 class KnownRuns {

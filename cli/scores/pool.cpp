@@ -66,14 +66,6 @@ std::string shown(const RunRecord& record) {
   return fmt::format("{} {}", record.anchor ? to_string(*record.anchor) : "", fmt::join(record.dropped, ","));
 }
 
-/// The place of a frame in the recording, whichever way it was played.
-std::size_t recorded_frame(const ScoredComparison& compared, std::size_t run, std::size_t frame) {
-  const StoredComparison& stored = compared.stored;
-  const auto& anchor = stored.runs[run].record.anchor;
-  if (!anchor || anchor->direction == Direction::forward) return frame;
-  return std::max(stored.recorded_frames, stored.recording.frames()) - 1 - frame;
-}
-
 bool asked(const ScoredComparison& compared, std::size_t run, std::size_t target) {
   return compared.stored.runs[run].trajectory.judged_from[target].has_value();
 }
@@ -184,7 +176,8 @@ void ScorePool::add_part(const ScoredComparison& compared, std::size_t run, cons
   pool.tally += one.tally;
   std::vector<FramedValue>& errors = pool.errors_px[recording.name];
   for (const Fix& fix : one.tally.fixes)
-    errors.push_back({recorded_frame(compared, run, fix.frame), norm(fix.error_px)});
+    errors.push_back(
+        {recorded_frame(compared.stored, compared.stored.runs[run], fix.frame), norm(fix.error_px)});
   const std::vector<Fix>& common = compared.common[run][part.target];
   pool.common.insert(pool.common.end(), common.begin(), common.end());
   add_frames(compared, run, one.frames, pool);
@@ -211,7 +204,7 @@ void ScorePool::add_frames(const ScoredComparison& compared, std::size_t run,
   }
   all.resize(std::max(all.size(), std::max(compared.stored.recorded_frames, frames.size())));
   for (std::size_t frame = 0; frame < frames.size(); ++frame)
-    all[recorded_frame(compared, run, frame)] += frames[frame];
+    all[recorded_frame(compared.stored, compared.stored.runs[run], frame)] += frames[frame];
 }
 
 std::vector<ScoreTable> ScorePool::tables() && {
