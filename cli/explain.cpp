@@ -11,6 +11,7 @@
 #include "cli/readable.h"
 #include "cli/table.h"
 #include "cli/verbs.h"
+#include "eval/judgement/circumstances.h"
 #include "eval/scores/scores.h"
 #include "eval/timeline_text.h"
 
@@ -70,7 +71,7 @@ std::vector<Told> told(const Case& c) {
   }
   for (const Acquisition& search : c.timeline().acquisitions)
     if (took_time(search))
-      all.push_back({search.from, fmt::format("       {}\n", sentence(text_of(c, search)))});
+      all.push_back({search.from, fmt::format("       {}\n", as_sentence(text_of(c, search)))});
   if (const auto& failed = c.run.trajectory.failed_from[c.target])
     all.push_back({*failed, fmt::format("       Failed at {:.2f} s; it gave no answer from there on.\n",
                                         c.at(*failed))});

@@ -6,6 +6,9 @@
 
 namespace relock {
 
+/// "lost at 0.20 s": "Lost at 0.20 s."; nothing of nothing.
+std::string as_sentence(std::string text);
+
 /// A loss in whole sentences, as `relock explain` and the report tell it. Empty where there is nothing to tell.
 struct LossSentences {
   std::string

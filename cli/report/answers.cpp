@@ -82,12 +82,20 @@ std::string named(const std::vector<std::string>& names) {
   return joined({names[0], names[1], names[2], fmt::format("{} others", names.size() - 3)});
 }
 
+/// A method that was asked about some targets only is not quite comparable.
+std::string name_of(const JudgedTable& judged, std::size_t i) {
+  const MethodPool& method = judged.table.methods[i];
+  if (method.targets() == judged.table.targets()) return method.method;
+  return fmt::format("{} (asked about {} of {} targets)", method.method, method.targets(),
+                     judged.table.targets());
+}
+
 std::string whose_was_longest(const JudgedTable& judged) {
   std::optional<std::size_t> best;
   std::vector<std::string> tied, untold;
   std::size_t methods = 0;
   for (const std::size_t i : in_order(judged)) {
-    const std::string& name = judged.table.methods[i].method;
+    const std::string name = name_of(judged, i);
     if (judged.table.methods[i].yardstick) continue;
     ++methods;
     const Standing standing = judged.methods[i].standings[kAvailability];
@@ -102,7 +110,7 @@ std::string whose_was_longest(const JudgedTable& judged) {
   std::string text = fmt::format(
       "{}{} knew where the target was, by an answer no more than 0.1 s old, for {} of the time it could be "
       "seen{}",
-      methods > 1 ? fmt::format("Of {} methods, ", methods) : "", judged.table.methods[*best].method,
+      methods > 1 ? fmt::format("Of {} methods, ", methods) : "", name_of(judged, *best),
       percent(*m.scores.availability), percent(m.shares[kAvailability]));
   text += methods > 1 ? ", the longest" : "";
   if (!tied.empty()) text += fmt::format("; {} {} as good", named(tied), tied.size() == 1 ? "is" : "are");
@@ -123,8 +131,9 @@ std::string what_was_lost(const JudgedTable& judged) {
     if (s.losses > most_losses) most_losses = s.losses, most = judged.table.methods[i].method;
   }
   if (methods == 0) return {};
-  if (losses == 0) return methods == 1 ? "It was never lost." : "None of them ever lost it.";
-  std::string text = fmt::format("It was lost {}", losses == 1 ? "once" : fmt::format("{} times", losses));
+  if (losses == 0) return methods == 1 ? "It never lost it." : "None of them ever lost it.";
+  std::string text =
+      fmt::format("The target was lost {}", losses == 1 ? "once" : fmt::format("{} times", losses));
   if (methods > 1)
     text += losses == most_losses ? " by " + most : fmt::format(", most often ({}) by {}", most_losses, most);
   text += silent == 0        ? ", and every time it was said that nothing is there"

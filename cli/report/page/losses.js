@@ -10,7 +10,7 @@ function lossPicture(comparison, target, targetIndex, lane, frame, caption) {
   const canvas = element("canvas", {role: "img", "aria-label": `${caption}: frame ${frame}, truth and the answer of ${lane.method}`});
   const button = element("button", {type: "button", class: "frame", title: "The whole frame, with all answers",
     onclick: () => openPicture(comparison, target, frame, lane)}, canvas);
-  const width = 232, height = 148;
+  const width = 300, height = 190;
   sizeCanvas(canvas, width, height);
   whenNear(canvas, () => imageOf(data.recordings[comparison.recording].pictures[here.p]).then(image =>
     drawFrame(canvas, comparison, here, image, closeView(comparison, here, targetIndex, lane, target, width / height), width, height, [{lane, target}], new Set([lane]))));

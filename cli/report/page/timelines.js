@@ -280,7 +280,7 @@ class Timeline {
         cursor: {y: false, drag: {setScale: false}, points: {show: false}}, select: {show: true},
         scales: {x: {time: false, range: () => this.range}, y: {range: (_, low, high) => [0, Math.max(30, Math.min(high || 30, 200)) * 1.05]}},
         axes: [axis({values: secondsText, size: 26, space: 70}), axis({size: left - 18, label: "error, % of D", labelSize: 18})],
-        series: [{}, ...all.map(i => ({stroke: curveColour(i), width: 1.6, dash: dashOf(i), spanGaps: false, points: {show: false}}))],
+        series: [{}, ...all.map(i => ({stroke: curveColour(i), width: 1.6, dash: dashOf(i), spanGaps: false, points: {size: 5, fill: curveColour(i)}}))],
         hooks: {drawClear: [plot => this.drawGaps(plot.ctx, plot.bbox)], setSelect: [plot => this.chosen(plot)]},
       }, [xs, ...columns.map(column => column[1])], place);
     };
