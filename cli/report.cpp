@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <thread>
 
 #include "cli/comparison.h"
 #include "cli/files.h"
@@ -50,9 +51,10 @@ std::string title_of(const std::vector<ScoredComparison>& all) {
   return names.size() == 1 ? names.front() : fmt::format("{} recordings", names.size());
 }
 
-/// `left_out`: what could not be read, a sentence each.
+int jobs_here() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
 Json data_of(std::vector<StoredComparison> stored, const ReportArguments& a, std::size_t recordings) {
-  const Json why = why_json(pooled(stored, a.gate));
+  const Json why = why_json(pooled(stored, a.gate), jobs_here());
   const Json provenance = provenance_json(stored, command_of(a));
   std::vector<ScoredComparison> all;
   for (StoredComparison& comparison : stored) {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "cli/files.h"
+#include "cli/in_parallel.h"
 #include "cli/report/encoded.h"
 
 namespace relock::reports {
@@ -91,28 +92,36 @@ Json survival_json(const PooledRuns& group, const PooledMethod& method) {
           {"curve", curve_json(held)}};
 }
 
+/// What takes longest of all: the fits of a bootstrap.
+Json attribution_json(const PooledRuns& group, const PooledMethod& method) {
+  Json sentences = Json::array();
+  if (method.yardstick) return sentences;
+  const Attribution found =
+      attribute(transitions(method), group.gaps == "none" ? Gaps::recorded : Gaps::injected);
+  sentences.push_back(sentence(found));
+  for (const Effect& effect : found.effects) sentences.push_back(sentence(effect));
+  return sentences;
+}
+
 Json method_json(const PooledRuns& group, const PooledMethod& method) {
   const auto runs = transitions(method);
   Json json{{"method", method.method}, {"yardstick", method.yardstick}};
   for (const Sorting& sorting : sortings()) json[sorting.key] = bins_json(runs, sorting);
   json["survival"] = survival_json(group, method);
-  json["attribution"] = Json::array();
-  if (method.yardstick) return json;
-  const Attribution found = attribute(runs, group.gaps == "none" ? Gaps::recorded : Gaps::injected);
-  json["attribution"].push_back(sentence(found));
-  for (const Effect& effect : found.effects) json["attribution"].push_back(sentence(effect));
+  json["attribution"] = attribution_json(group, method);
   return json;
 }
 
 }  // namespace
 
-Json why_json(const std::vector<PooledRuns>& groups) {
+Json why_json(const std::vector<PooledRuns>& groups, int jobs) {
   Json axes = Json::array(), all = Json::array();
   for (const Sorting& sorting : sortings())
     axes.push_back({{"key", sorting.key}, {"title", sorting.title}, {"bins", sorting.names}});
   for (const PooledRuns& group : groups) {
-    Json methods = Json::array();
-    for (const PooledMethod& method : group.methods) methods.push_back(method_json(group, method));
+    std::vector<Json> methods(group.methods.size());
+    in_parallel(methods.size(), jobs,
+                [&] { return [&](std::size_t i) { methods[i] = method_json(group, group.methods[i]); }; });
     all.push_back({{"heading", heading(group)}, {"methods", methods}});
   }
   return {{"axes", axes}, {"groups", all}};

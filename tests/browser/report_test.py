@@ -4,41 +4,17 @@
 Usage: report_test.py RELOCK PICTURES      from the project's root; PICTURES: a folder for screenshots
 """
 
-import os
-import shutil
-import subprocess
-import sys
-import tempfile
-
-if not shutil.which("chromedriver"):
-    print("chromedriver is not installed: skipped")
-    sys.exit(77)
-
-from webdriver import Browser
-
-relock, pictures = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
-os.makedirs(pictures, exist_ok=True)
-passed = failed = 0
-
-
-def expect(sentence, wanted, got):
-    global passed, failed
-    if wanted == got:
-        passed += 1
-    else:
-        failed += 1
-        print(f"FAILED: {sentence}\n  wanted {wanted!r}\n  got    {got!r}")
+import checks
+from checks import expect, relock
 
 
 def made(folder):
     """A run on real footage with gaps, and its report."""
     results, page = f"{folder}/results", f"{folder}/report.html"
-    said = subprocess.run([relock, "run", "--sequence", "recordings/klahaag-prints", "--methods", "kcf,csrt,aruco,apriltag",
-                           "--gaps", "trace(recordings/gap_traces/tagslam_test_14_top_left.csv)", "--seed", "5", "--out", results],
-                          capture_output=True, text=True)
-    expect("the run is made", (0, ""), (said.returncode, said.stderr))
-    said = subprocess.run([relock, "report", results, "-o", page], capture_output=True, text=True)
-    expect("the report is made", (0, ""), (said.returncode, said.stderr))
+    gaps = "trace(recordings/gap_traces/tagslam_test_14_top_left.csv)"
+    expect("the run is made", (0, ""), relock("run", "--sequence", "recordings/klahaag-prints", "--methods", "kcf,csrt,aruco,apriltag",
+                                              "--gaps", gaps, "--seed", "5", "--out", results))
+    expect("the report is made", (0, ""), relock("report", results, "-o", page))
     return page
 
 
@@ -53,31 +29,30 @@ def place_of(browser, lane, frame):
     return browser.run(PLACE, lane, frame)
 
 
-def looked_at(page):
-    with Browser() as browser:
-        browser.requests()  # the browser's own first page
-        browser.open(page)
-        expect("the page is drawn", True, browser.wait_for("document.documentElement.dataset.ready"))
-        data = browser.run("return JSON.parse(document.getElementById('data').textContent)")
-        lanes = [lane for target in data["comparisons"][0]["targets"] for lane in target["lanes"]]
-        expect("there is a lane for every method and target", len(lanes),
-               browser.run("return document.querySelectorAll('.name').length"))
-        expect("every loss has its mark", sum(len(lane["losses"]) for lane in lanes),
-               browser.run("return [...document.querySelectorAll('.target')].reduce((sum, t) => sum + Number(t.dataset.losses), 0)"))
-        told = sum(len(lane["losses"]) for lane in lanes if not lane["yardstick"])
-        browser.run("for (const fold of document.querySelectorAll('details.losses')) fold.scrollIntoView()")
-        expect("every loss of a method has its card", True, browser.wait_for(f"document.querySelectorAll('.loss').length === {told}"))
-        expect("the answer has a row for every method", len({lane["method"] for lane in lanes}),
-               browser.run("return document.querySelector('table.answer').querySelectorAll('tbody tr:not(.divider)').length"))
-        hover_and_click(browser, data)
-        zoom(browser)
-        keys(browser)
-        lines(browser)
-        expect("nothing is scrolled sideways", True, browser.run("return document.documentElement.scrollWidth <= innerWidth"))
-        fetched = [url for url in browser.requests() if not url.startswith("data:")]
-        expect("nothing is fetched but the page itself", [f"file://{page}"], fetched)
-        expect("the console is empty", [], browser.console())
-        screenshots(browser)
+def looked_at(browser, work):
+    page = made(work)
+    browser.open(page)
+    expect("the page is drawn", True, browser.wait_for("document.documentElement.dataset.ready"))
+    data = browser.run("return JSON.parse(document.getElementById('data').textContent)")
+    lanes = [lane for target in data["comparisons"][0]["targets"] for lane in target["lanes"]]
+    expect("there is a lane for every method and target", len(lanes),
+           browser.run("return document.querySelectorAll('.name').length"))
+    expect("every loss has its mark", sum(len(lane["losses"]) for lane in lanes),
+           browser.run("return [...document.querySelectorAll('.target')].reduce((sum, t) => sum + Number(t.dataset.losses), 0)"))
+    told = sum(len(lane["losses"]) for lane in lanes if not lane["yardstick"])
+    browser.run("for (const fold of document.querySelectorAll('details.losses')) fold.scrollIntoView()")
+    expect("every loss of a method has its card", True, browser.wait_for(f"document.querySelectorAll('.loss').length === {told}"))
+    expect("the answer has a row for every method", len({lane["method"] for lane in lanes}),
+           browser.run("return document.querySelector('table.answer').querySelectorAll('tbody tr:not(.divider)').length"))
+    hover_and_click(browser, data)
+    zoom(browser)
+    keys(browser)
+    lines(browser)
+    expect("nothing is scrolled sideways", True, browser.run("return document.documentElement.scrollWidth <= innerWidth"))
+    fetched = [url for url in browser.requests() if not url.startswith("data:")]
+    expect("nothing is fetched but the page itself", [f"file://{page}"], fetched)
+    expect("the console is empty", [], browser.console())
+    screenshots(browser)
 
 
 def hover_and_click(browser, data):
@@ -90,14 +65,14 @@ def hover_and_click(browser, data):
     tip = browser.run("const tip = document.getElementById('tip'); return tip.hidden ? '' : tip.innerText")
     expect("hovering tells method and frame", True, f"{method}, frame {loss['lost']}," in tip)
     expect("and time, verdict and the loss", True, " s\n" in tip and ("Miss" in tip or "Stray" in tip) and loss["what"] in tip)
-    browser.screenshot(f"{pictures}/hover.png")
+    browser.screenshot(f"{checks.pictures}/hover.png")
     browser.pointer(("down",), ("up",))
     expect("a click opens the frame", True, browser.wait_for(f"document.getElementById('picture').dataset.drawn === '{loss['lost']}'"))
     expect("the picture is not empty", True, browser.run("""
         const canvas = document.querySelector('#picture canvas'), pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
         return new Set(pixels).size > 50;"""))
     expect("every answer is told beside it", len(target["lanes"]), browser.run("return document.querySelectorAll('#picture tbody tr').length"))
-    browser.screenshot(f"{pictures}/picture.png")
+    browser.screenshot(f"{checks.pictures}/picture.png")
     browser.keys("\ue014")  # right
     expect("the keys go on to the next picture", True, browser.run("return Number(document.getElementById('picture').dataset.frame)") > loss["lost"])
     browser.keys("\ue00c")  # escape
@@ -146,18 +121,15 @@ def lines(browser):
 
 def screenshots(browser):
     browser.run("scrollTo(0, 0)")
-    browser.screenshot(f"{pictures}/wide.png", whole_page=True)
+    browser.screenshot(f"{checks.pictures}/wide.png", whole_page=True)
     browser.run("document.getElementById('theme').click()")
-    browser.screenshot(f"{pictures}/dark.png", whole_page=True)
+    browser.screenshot(f"{checks.pictures}/dark.png", whole_page=True)
     browser.run("document.getElementById('theme').click()")
-    browser.print(f"{pictures}/print.pdf")
+    browser.print(f"{checks.pictures}/print.pdf")
     browser.resize(500, 900)
     browser.wait_for("document.querySelector('.board canvas').clientWidth < 480")
     expect("nothing is scrolled sideways in a narrow window", True, browser.run("return document.documentElement.scrollWidth <= innerWidth"))
-    browser.screenshot(f"{pictures}/narrow.png", whole_page=True)
+    browser.screenshot(f"{checks.pictures}/narrow.png", whole_page=True)
 
 
-with tempfile.TemporaryDirectory() as work:
-    looked_at(made(work))
-print(f"{passed} passed, {failed} failed")
-sys.exit(1 if failed else 0)
+checks.main(looked_at)

@@ -40,11 +40,13 @@ function drawOnPaper() {
   addEventListener("beforeprint", () => {
     before = document.documentElement.dataset.theme;
     document.documentElement.dataset.theme = "light";
+    document.documentElement.classList.add("paper");  // its width is what everything is drawn for
     for (const node of [...waiting.keys()]) showNow(node);
     drawAll();
   });
   addEventListener("afterprint", () => {
     document.documentElement.dataset.theme = before;
+    document.documentElement.classList.remove("paper");
     drawAll();
   });
 }
