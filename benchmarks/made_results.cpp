@@ -1,6 +1,6 @@
-// Writes a folder of results as `relock run` would have left it: made recordings of one wandering target, and five
-// methods that lose it now and then. For scripts/bench: how scoring grows with the number of rows.
-// Usage: made_results OUT SEQUENCES [FRAMES]      1000 frames if not given
+// Writes a folder of results as `relock run` would have left it: made recordings of one wandering target, and
+// methods that lose it now and then. For scripts/bench: how scoring grows with the number of rows, what a report takes.
+// Usage: made_results OUT SEQUENCES [FRAMES [METHODS]]      1000 frames and 5 methods if not given
 
 #include <fmt/format.h>
 
@@ -17,8 +17,6 @@
 namespace {
 
 using namespace relock;
-
-constexpr int kMethods = 5;
 
 Recording recording_of(std::size_t sequence, int frames) {
   Recording recording;
@@ -85,18 +83,19 @@ FinishedRun run_of(const Recording& recording, int method, std::uint64_t seed) {
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    fmt::print(stderr, "usage: made_results OUT SEQUENCES [FRAMES]\n");
+    fmt::print(stderr, "usage: made_results OUT SEQUENCES [FRAMES [METHODS]]\n");
     return 2;
   }
   const std::filesystem::path out = argv[1];
   const std::size_t sequences = std::stoul(argv[2]);
-  const int frames = argc > 3 ? std::stoi(argv[3]) : 1000;
+  const int frames = argc > 3 ? std::stoi(argv[3]) : 1000, methods = argc > 4 ? std::stoi(argv[4]) : 5;
   const ResultsLock lock = prepare_results(out);
   for (std::size_t s = 0; s < sequences; ++s) {
     const Recording recording = recording_of(s, frames);
     store_truth(out, recording, "made");
-    for (int m = 0; m < kMethods; ++m) {
-      const FinishedRun run = run_of(recording, m, kMethods * s + static_cast<std::uint64_t>(m));
+    for (int m = 0; m < methods; ++m) {
+      const FinishedRun run =
+          run_of(recording, m, static_cast<std::uint64_t>(methods) * s + static_cast<std::uint64_t>(m));
       store_run(run_folder(out, run.record), run);
     }
   }

@@ -128,6 +128,20 @@ void add_timeline(CLI::App& app, TimelineArguments& a) {
   add_gate(verb, a.gate, "when an answer is a Hit");
 }
 
+void add_report(CLI::App& app, ReportArguments& a) {
+  CLI::App& verb = *app.add_subcommand(
+      "report", "Write all that results tell into one page: answer, timelines, reasons, losses with pictures");
+  verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
+  verb.add_option("--out,-o", a.out, "the page")->capture_default_str();
+  verb.add_option("--sequence", a.sequences,
+                  "where a recording is now, for its pictures; repeatable, else where it was")
+      ->allow_extra_args(false);
+  verb.add_option("--pictures-mb", a.pictures_mb, "most that all pictures take in the page, MB; 0: none")
+      ->check(CLI::Range(0., 1000.))
+      ->capture_default_str();
+  add_gate(verb, a.gate, "when an answer is a Hit");
+}
+
 void add_detect(CLI::App& app, DetectArguments& a) {
   CLI::App& verb = *app.add_subcommand("detect", "Look for targets in single pictures");
   verb.add_option("images", a.images, "pictures")->required();
@@ -356,6 +370,7 @@ void add_verbs(CLI::App& app, Arguments& arguments) {
                    "Tell how long methods hold a target that they were given");
   add_results_verb(app, arguments.attribute, "attribute",
                    "Tell what losses go with: gaps, blur, displacement");
+  add_report(app, arguments.report);
   add_detect(app, arguments.detect);
   add_list(app, arguments.list);
   add_inspect(app, arguments.inspect);

@@ -20,6 +20,7 @@ struct Arguments {
   GainArguments gain;
   ExplainArguments explain;
   TimelineArguments timeline;
+  ReportArguments report;
   DetectArguments detect;
   ListArguments list;
   InspectArguments inspect;

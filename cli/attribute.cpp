@@ -2,28 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "cli/json_text.h"
 #include "cli/pooled_runs.h"
 #include "cli/verbs.h"
-#include "eval/scores/attribution.h"
 
 namespace relock {
 namespace {
 
 Attribution attribution_of(const PooledRuns& group, const PooledMethod& method) {
-  std::vector<TransitionRun> runs;
-  std::vector<std::string> sequences;
-  for (const auto& [comparison, run, evaluation] : method.runs) {
-    const Recording& recording = comparison->recording;
-    auto sequence = std::find(sequences.begin(), sequences.end(), recording.name);
-    if (sequence == sequences.end()) sequence = sequences.insert(sequence, recording.name);
-    for (std::size_t t = 0; t < recording.targets.size(); ++t)
-      runs.push_back({static_cast<std::size_t>(sequence - sequences.begin()),
-                      transitions(recording, run->trajectory, t, evaluation.targets[t])});
-  }
-  return attribute(runs, group.gaps == "none" ? Gaps::recorded : Gaps::injected);
+  return attribute(transitions(method), group.gaps == "none" ? Gaps::recorded : Gaps::injected);
 }
 
 void print_group(const PooledRuns& group) {

@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "cli/chosen_target.h"
 #include "cli/comparison.h"
 #include "cli/json_text.h"
+#include "cli/loss_sentences.h"
 #include "cli/readable.h"
 #include "cli/table.h"
 #include "cli/verbs.h"
-#include "eval/loss_text.h"
+#include "eval/judgement/circumstances.h"
 #include "eval/scores/scores.h"
 #include "eval/timeline_text.h"
 
@@ -30,22 +30,13 @@ struct Case {
   Circumstances of(const Loss& loss) const {
     return circumstances(recording(), run.trajectory, target, loss);
   }
+  LossSentences sentences(const Loss& loss) const {
+    return sentences_of(recording(), run.trajectory, target, loss);
+  }
   double at(FrameIndex frame) const {
     return seconds(recording().captured[static_cast<std::size_t>(frame)] - recording().captured.front());
   }
 };
-
-std::string sentence(std::string text) {
-  if (text.empty()) return text;
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text + ".";
-}
-
-std::string onset_and_end(const Case& c, const Loss& loss) {
-  const Circumstances came_with = c.of(loss);
-  return fmt::format("{}; {}", onset_text(c.recording(), loss, came_with, gap_note(came_with)),
-                     end_text(c.recording(), loss));
-}
 
 /// "Started with the box at 0.00 s" is no search; what took no time needs no word.
 bool took_time(const Acquisition& search) { return !search.locked_at || *search.locked_at > search.from; }
@@ -72,16 +63,15 @@ std::vector<Told> told(const Case& c) {
   std::vector<Told> all;
   std::size_t number = 0;
   for (const Loss& loss : c.timeline().losses) {
-    std::string text = fmt::format("  {:>3}. {}\n", ++number, sentence(onset_and_end(c, loss)));
-    if (const auto arrival = arrival_text(c.of(loss)); !arrival.empty())
-      text += fmt::format("       The target was {}.\n", arrival);
-    if (const auto said = said_text(loss); !said.empty())
-      text += fmt::format("       While lost, it said {}.\n", said);
+    const LossSentences sentences = c.sentences(loss);
+    std::string text = fmt::format("  {:>3}. {}\n", ++number, sentences.what);
+    for (const std::string& more : {sentences.target, sentences.said})
+      if (!more.empty()) text += fmt::format("       {}\n", more);
     all.push_back({loss.last_good, text});
   }
   for (const Acquisition& search : c.timeline().acquisitions)
     if (took_time(search))
-      all.push_back({search.from, fmt::format("       {}\n", sentence(text_of(c, search)))});
+      all.push_back({search.from, fmt::format("       {}\n", as_sentence(text_of(c, search)))});
   if (const auto& failed = c.run.trajectory.failed_from[c.target])
     all.push_back({*failed, fmt::format("       Failed at {:.2f} s; it gave no answer from there on.\n",
                                         c.at(*failed))});
@@ -148,7 +138,7 @@ Json json_of(const Case& c, const Loss& loss) {
   Json said;
   for (std::size_t kind = 0; kind < kLossKinds; ++kind)
     said[std::string(to_string(static_cast<LossKind>(kind)))] = loss.said[kind];
-  return {{"sentence", sentence(onset_and_end(c, loss))},
+  return {{"sentence", c.sentences(loss).what},
           {"onset_s", {c.at(loss.last_good), c.at(loss.first_lost)}},
           {"rule", loss.rule == LossRule::a ? "a" : "b"},
           {"kind", to_string(loss.kind)},

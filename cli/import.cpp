@@ -9,6 +9,7 @@
 #include "cli/catalogue.h"
 #include "cli/recordings.h"
 #include "cli/runs/folder.h"
+#include "cli/runs/source.h"
 #include "cli/runs/truth.h"
 #include "cli/verbs.h"
 #include "cli/version.h"
@@ -162,6 +163,8 @@ int import_results(const ImportArguments& arguments) {
   check_name(arguments.method, folder);
   const ResultsLock lock = prepare_results(arguments.out);
   store_truth(arguments.out, recording, sequence.fingerprint);
+  store_source(arguments.out, recording.name,
+               {arguments.sequence, {arguments.labels, arguments.rate_hz, {}, arguments.format}});
   check_comparison(folder, record);
   check_not_replaced(folder);
   store_run(folder, {record, text_of(recording, trajectory), {}});

@@ -44,6 +44,30 @@ Json group_json(const PooledRuns& group, Json methods) {
 
 }  // namespace
 
+std::vector<TransitionRun> transitions(const PooledMethod& method) {
+  std::vector<TransitionRun> runs;
+  std::vector<std::string> sequences;
+  for (const auto& [comparison, run, evaluation] : method.runs) {
+    const Recording& recording = comparison->recording;
+    auto sequence = std::find(sequences.begin(), sequences.end(), recording.name);
+    if (sequence == sequences.end()) sequence = sequences.insert(sequence, recording.name);
+    for (std::size_t t = 0; t < recording.targets.size(); ++t)
+      runs.push_back({static_cast<std::size_t>(sequence - sequences.begin()),
+                      transitions(recording, run->trajectory, t, evaluation.targets[t])});
+  }
+  return runs;
+}
+
+std::vector<TrackingLifetime> lifetimes(const PooledMethod& method) {
+  std::vector<TrackingLifetime> all;
+  for (const auto& [comparison, run, evaluation] : method.runs)
+    for (const TargetTimeline& timeline : evaluation.targets) {
+      const auto own = tracking_lifetimes(comparison->recording, run->trajectory, timeline);
+      all.insert(all.end(), own.begin(), own.end());
+    }
+  return all;
+}
+
 std::vector<PooledRuns> pooled(const std::vector<StoredComparison>& all,
                                const std::optional<std::string>& asked) {
   std::vector<PooledRuns> groups;

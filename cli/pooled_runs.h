@@ -9,6 +9,8 @@
 #include "cli/runs/folder.h"
 #include "cli/verbs.h"
 #include "eval/judgement/evaluation.h"
+#include "eval/scores/attribution.h"
+#include "eval/scores/tracking_survival.h"
 
 namespace relock {
 
@@ -23,6 +25,11 @@ struct PooledMethod {
   bool yardstick = false;
   std::vector<Run> runs;
 };
+/// Its steps with the target held, run by run and target by target.
+std::vector<TransitionRun> transitions(const PooledMethod& method);
+/// How long it held targets that it was given.
+std::vector<TrackingLifetime> lifetimes(const PooledMethod& method);
+
 /// All methods that may be compared with one another: shown recordings in the same way, with the same gap pattern,
 /// and judged by the same gate.
 struct PooledRuns {

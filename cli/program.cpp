@@ -62,6 +62,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& met
   if (app.got_subcommand("timeline")) return timeline(arguments.timeline);
   if (app.got_subcommand("survival")) return survival(arguments.survival);
   if (app.got_subcommand("attribute")) return attribute(arguments.attribute);
+  if (app.got_subcommand("report")) return report(arguments.report);
   if (app.got_subcommand("detect")) return detect(arguments.detect, methods);
   if (app.got_subcommand("inspect")) return inspect(arguments.inspect);
   if (app.got_subcommand("check")) return check(arguments.check, methods);

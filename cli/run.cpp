@@ -12,6 +12,7 @@
 #include "cli/runs/folder.h"
 #include "cli/runs/matrix.h"
 #include "cli/runs/pool.h"
+#include "cli/runs/source.h"
 #include "cli/runs/truth.h"
 #include "cli/table.h"
 #include "cli/terminal.h"
@@ -155,8 +156,11 @@ int tell_cost(const Plan& plan, const Matrix& matrix) {
 
 int make(const Plan& plan, const Matrix& matrix, int jobs) {
   const ResultsLock lock = prepare_results(plan.out);
-  for (const Sequence& sequence : matrix.sequences)
+  for (std::size_t s = 0; s < matrix.sequences.size(); ++s) {
+    const Sequence& sequence = matrix.sequences[s];
     store_truth(plan.out, sequence.recording, sequence.fingerprint);
+    store_source(plan.out, sequence.recording.name, plan.sequences[s]);
+  }
   std::vector<std::size_t> todo;
   Account account(plan, matrix);
   Faults faults;

@@ -48,20 +48,6 @@ std::vector<FoundComparison> found_below(const std::vector<std::filesystem::path
   return all;
 }
 
-/// Recordings are folders of comparisons.
-std::size_t recordings_in(const std::vector<FoundComparison>& found) {
-  std::set<std::string> names;
-  for (const FoundComparison& comparison : found)
-    names.insert(comparison.folder.parent_path().filename().string());
-  return names.size();
-}
-
-std::vector<std::vector<FrameCost>> costs_of(const StoredComparison& stored) {
-  std::vector<std::vector<FrameCost>> all;
-  for (const StoredRun& run : stored.runs) all.push_back(read_costs(run.folder));
-  return all;
-}
-
 /// One comparison at a time: what is kept of it is its sums.
 void read_one(const FoundComparison& found, const ScoreArguments& arguments, Read& read) {
   // All comparisons on a recording have its truth, and whatever is wrong with it, in common.
@@ -76,35 +62,11 @@ void read_one(const FoundComparison& found, const ScoreArguments& arguments, Rea
     const ScoredComparison compared = scored(*std::move(stored), used);
     for (std::size_t i = 0; i < compared.stored.runs.size(); ++i) store_scores(compared, i);
     for (ScorePool& pool : read.pools) pool.add(compared);
-    if (arguments.cost) read.pools.back().add_costs(compared, costs_of(compared.stored));
+    if (arguments.cost) read.pools.back().add_costs(compared, read_costs(compared.stored));
     if (const auto end = end_of_recording(compared.stored)) read.ends.push_back(*end);
   } catch (const Error& fault) {
     note(fault.what());
   }
-}
-
-std::vector<JudgedTable> judged_tables(std::vector<ScorePool> pools) {
-  std::vector<JudgedTable> all;
-  for (ScorePool& pool : pools)
-    for (ScoreTable& table : std::move(pool).tables()) {
-      auto methods = judged(table);
-      all.push_back({std::move(table), std::move(methods)});
-    }
-  std::stable_sort(all.begin(), all.end(), [](const JudgedTable& a, const JudgedTable& b) {
-    return a.table.conditions < b.table.conditions;
-  });
-  return all;
-}
-
-/// With one recording its targets matter; with several, all of them together.
-void keep_targets_of_single_recordings(std::vector<JudgedTable>& tables) {
-  std::set<TableConditions> several;
-  for (const JudgedTable& judged : tables)
-    if (judged.table.grouping == Grouping::none && judged.table.recordings.size() > 1)
-      several.insert(judged.table.conditions);
-  std::erase_if(tables, [&](const JudgedTable& judged) {
-    return judged.table.grouping == Grouping::target && several.contains(judged.table.conditions);
-  });
 }
 
 }  // namespace

@@ -8,21 +8,11 @@
 #include "cli/json_text.h"
 #include "cli/pooled_runs.h"
 #include "cli/verbs.h"
-#include "eval/scores/tracking_survival.h"
 
 namespace relock {
 namespace {
 
-TrackingSurvivals survival_of(const PooledMethod& method) {
-  std::vector<TrackingLifetime> all;
-  for (const auto& [comparison, run, evaluation] : method.runs) {
-    for (const TargetTimeline& timeline : evaluation.targets) {
-      const auto own = tracking_lifetimes(comparison->recording, run->trajectory, timeline);
-      all.insert(all.end(), own.begin(), own.end());
-    }
-  }
-  return tracking_survival(all);
-}
+TrackingSurvivals survival_of(const PooledMethod& method) { return tracking_survival(lifetimes(method)); }
 
 Json to_json(const TrackingSurvival& s, double claim) {
   return {{"median", number(s.median)},

@@ -14,6 +14,7 @@
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -224,6 +225,12 @@ std::vector<FrameCost> read_costs(const fs::path& run_folder) {
   return costs;
 }
 
+std::vector<std::vector<FrameCost>> read_costs(const StoredComparison& comparison) {
+  std::vector<std::vector<FrameCost>> all;
+  for (const StoredRun& run : comparison.runs) all.push_back(read_costs(run.folder));
+  return all;
+}
+
 std::vector<FoundComparison> find_results(const fs::path& folder) {
   if (!fs::is_directory(folder)) throw Error(fmt::format("{} is no folder of results", folder.string()));
   std::map<fs::path, std::vector<fs::path>> runs_of;  // by comparison
@@ -239,6 +246,13 @@ std::vector<FoundComparison> find_results(const fs::path& folder) {
     all.push_back({comparison, std::move(runs)});
   }
   return all;
+}
+
+std::size_t recordings_in(const std::vector<FoundComparison>& found) {
+  std::set<std::string> names;  // recordings are folders of comparisons
+  for (const FoundComparison& comparison : found)
+    names.insert(comparison.folder.parent_path().filename().string());
+  return names.size();
 }
 
 std::optional<StoredComparison> read_comparison(const FoundComparison& found,

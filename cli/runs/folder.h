@@ -78,6 +78,9 @@ void store_run(const std::filesystem::path& folder, const FinishedRun& run);
 /// What a run cost, frame by frame: its timing.csv; nothing where it has none. Throws Error with file and line.
 std::vector<FrameCost> read_costs(const std::filesystem::path& run_folder);
 
+/// Of each run of a comparison.
+std::vector<std::vector<FrameCost>> read_costs(const StoredComparison& comparison);
+
 /// The runs of a comparison, found and not read yet.
 struct FoundComparison {
   std::filesystem::path folder;
@@ -85,6 +88,8 @@ struct FoundComparison {
 };
 /// Finds all runs below `folder`: a results folder or a part of one. Throws Error when there is none.
 std::vector<FoundComparison> find_results(const std::filesystem::path& folder);
+/// Of how many recordings.
+std::size_t recordings_in(const std::vector<FoundComparison>& found);
 
 /// Is told, in a sentence with file and line, of a run that is left out because it cannot be read.
 using OnUnreadable = std::function<void(const std::string& why)>;

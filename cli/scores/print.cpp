@@ -7,30 +7,6 @@
 namespace relock {
 namespace {
 
-/// What qualifies the scores of one method, in sentences.
-std::vector<std::string> remarks(const ScoreTable& table, std::size_t i, const Scores& s) {
-  const MethodPool& method = table.methods[i];
-  std::vector<std::string> all;
-  std::size_t most = 0;
-  for (const MethodPool& other : table.methods) most = std::max(most, other.scored_on.size());
-  if (!method.failures.empty())
-    all.push_back(fmt::format("{} failed on frame {}: {}; {} visible frames after it count as Misses",
-                              method.method, method.failures[0].frame, method.failures[0].what, s.failed));
-  if (s.spurious > 0) all.push_back(fmt::format("{}: {} spurious sightings", method.method, s.spurious));
-  if (s.uncoded > 0) all.push_back(fmt::format("{}: {} Hits without a code", method.method, s.uncoded));
-  if (!method.deterministic)
-    all.push_back(fmt::format("{} answers differently from run to run: its scores are of {}", method.method,
-                              method.runs == 1 ? "one run" : fmt::format("{} runs", method.runs)));
-  if (method.targets() < table.targets())
-    all.push_back(
-        fmt::format("{} is scored on {} of {} targets: compare it with others in --by target or recording",
-                    method.method, method.targets(), table.targets()));
-  else if (method.scored_on.size() < most)
-    all.push_back(fmt::format("{} was shown fewer patterns of frames than others (fewer seeds or starts)",
-                              method.method));
-  return all;
-}
-
 /// Whether anything could be hit there.
 bool has_frames(const ScoreTable& table) {
   return std::any_of(table.methods.begin(), table.methods.end(),
@@ -65,8 +41,7 @@ class Printer {
       fmt::print("{}", cost_table(*pooled).in(format_));
     }
     for (std::size_t i = 0; i < pooled->methods.size(); ++i)
-      for (const std::string& remark : remarks(pooled->table, i, pooled->methods[i].scores))
-        print_remark(remark);
+      for (const std::string& remark : remarks(*pooled, i)) print_remark(remark);
     return end;
   }
 
@@ -125,6 +100,31 @@ class Printer {
 };
 
 }  // namespace
+
+std::vector<std::string> remarks(const JudgedTable& judged, std::size_t i) {
+  const ScoreTable& table = judged.table;
+  const Scores& s = judged.methods[i].scores;
+  const MethodPool& method = table.methods[i];
+  std::vector<std::string> all;
+  std::size_t most = 0;
+  for (const MethodPool& other : table.methods) most = std::max(most, other.scored_on.size());
+  if (!method.failures.empty())
+    all.push_back(fmt::format("{} failed on frame {}: {}; {} visible frames after it count as Misses",
+                              method.method, method.failures[0].frame, method.failures[0].what, s.failed));
+  if (s.spurious > 0) all.push_back(fmt::format("{}: {} spurious sightings", method.method, s.spurious));
+  if (s.uncoded > 0) all.push_back(fmt::format("{}: {} Hits without a code", method.method, s.uncoded));
+  if (!method.deterministic)
+    all.push_back(fmt::format("{} answers differently from run to run: its scores are of {}", method.method,
+                              method.runs == 1 ? "one run" : fmt::format("{} runs", method.runs)));
+  if (method.targets() < table.targets())
+    all.push_back(
+        fmt::format("{} is scored on {} of {} targets: compare it with others in --by target or recording",
+                    method.method, method.targets(), table.targets()));
+  else if (method.scored_on.size() < most)
+    all.push_back(fmt::format("{} was shown fewer patterns of frames than others (fewer seeds or starts)",
+                              method.method));
+  return all;
+}
 
 void print_tables(const std::vector<JudgedTable>& tables, TableFormat format,
                   const std::vector<std::string>& ends) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace relock {
 namespace {
@@ -78,6 +79,29 @@ std::string seeds_text(const std::set<std::uint64_t>& seeds) {
 }
 
 }  // namespace
+
+std::vector<JudgedTable> judged_tables(std::vector<ScorePool> pools) {
+  std::vector<JudgedTable> all;
+  for (ScorePool& pool : pools)
+    for (ScoreTable& table : std::move(pool).tables()) {
+      auto methods = judged(table);
+      all.push_back({std::move(table), std::move(methods)});
+    }
+  std::stable_sort(all.begin(), all.end(), [](const JudgedTable& a, const JudgedTable& b) {
+    return a.table.conditions < b.table.conditions;
+  });
+  return all;
+}
+
+void keep_targets_of_single_recordings(std::vector<JudgedTable>& tables) {
+  std::set<TableConditions> several;
+  for (const JudgedTable& judged : tables)
+    if (judged.table.grouping == Grouping::none && judged.table.recordings.size() > 1)
+      several.insert(judged.table.conditions);
+  std::erase_if(tables, [&](const JudgedTable& judged) {
+    return judged.table.grouping == Grouping::target && several.contains(judged.table.conditions);
+  });
+}
 
 std::string heading(const ScoreTable& table) {
   const std::string what = table.recordings.size() == 1

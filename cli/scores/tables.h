@@ -14,6 +14,12 @@ struct JudgedTable {
   std::vector<JudgedMethod> methods;
 };
 
+/// Of all that was added, in order of conditions; of the same conditions, as `pools` stand.
+std::vector<JudgedTable> judged_tables(std::vector<ScorePool> pools);
+/// Leaves out the tables of single targets where several recordings were pooled: with one recording its targets
+/// matter; with several, all of them together.
+void keep_targets_of_single_recordings(std::vector<JudgedTable>& tables);
+
 /// "klahaag, gaps paper (seed 1), protocol once, gate centre 0.25 D, hold 0.5 D".
 std::string heading(const ScoreTable& table);
 
