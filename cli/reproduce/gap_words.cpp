@@ -9,6 +9,12 @@ namespace {
 const std::string kTracker = "blut";  // whose failing the paper reports
 constexpr double kFar_d = 0.5;
 
+/// What rounds to nothing has no sign.
+std::string one_decimal(double value) {
+  const std::string text = fmt::format("{:.1f}", value);
+  return text == "-0.0" ? "0.0" : text;
+}
+
 double percent(const StepRisk& part, const StepRisk& whole, std::size_t StepRisk::*of) {
   return 100 * static_cast<double>(part.*of) / static_cast<double>(whole.*of);
 }
@@ -138,9 +144,9 @@ std::vector<std::string> gap_sentences(const GapCounts& counts, const std::vecto
 }
 
 std::string mean_cell(const FlightMean& mean) {
-  const std::string value = fmt::format("{:.1f}", mean.value);
+  const std::string value = one_decimal(mean.value);
   if (!mean.interval) return value;
-  return fmt::format("{} [{:.1f}, {:.1f}]", value, mean.interval->low, mean.interval->high);
+  return fmt::format("{} [{}, {}]", value, one_decimal(mean.interval->low), one_decimal(mean.interval->high));
 }
 
 Json json_of(const FlightMean& mean) {
