@@ -124,7 +124,15 @@ void add_timeline(CLI::App& app, TimelineArguments& a) {
       *app.add_subcommand("timeline", "Show when each method had the target, lost it and had it back");
   verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
   verb.add_option("--target", a.target, "only this target");
+  verb.add_option("--method", a.methods, "only this method; repeatable")->allow_extra_args(false);
   verb.add_flag("--ascii", a.ascii, "letters only, without colour");
+  verb.add_option("--svg", a.svg, "draw a figure for a paper into this file in place of letters");
+  verb.add_option("--pdf", a.pdf, "likewise, with its fonts in it");
+  verb.add_option("--png", a.png, "likewise, at 200 dots per inch");
+  verb.add_option("--width-mm", a.width_mm, "of the figure; else 174, two columns of a journal (one is 85)")
+      ->check(CLI::Range(40, 2000));
+  verb.add_option("--height-mm", a.height_mm, "of the figure; else what its lanes need")
+      ->check(CLI::Range(10, 2000));
   add_gate(verb, a.gate, "when an answer is a Hit");
 }
 

@@ -89,6 +89,9 @@ struct TimelineArguments {
   std::optional<std::string> gate;    ///< else the one by which resets were judged, else centre
   std::optional<std::string> target;  ///< only this one
   bool ascii = false;
+  std::vector<std::string> methods;                    ///< else all; of figures all but yardsticks
+  std::optional<std::filesystem::path> svg, png, pdf;  ///< figures in place of letters
+  std::optional<double> width_mm, height_mm;  ///< of figures; else a journal's column, and what lanes need
 };
 int timeline(const TimelineArguments& arguments);
 
