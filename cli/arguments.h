@@ -20,6 +20,7 @@ struct Arguments {
   GainArguments gain;
   ExplainArguments explain;
   TimelineArguments timeline;
+  VideoArguments video;
   DetectArguments detect;
   ListArguments list;
   InspectArguments inspect;

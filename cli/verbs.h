@@ -95,6 +95,21 @@ struct TimelineArguments {
 };
 int timeline(const TimelineArguments& arguments);
 
+struct VideoArguments {
+  std::filesystem::path folder;
+  std::filesystem::path out;
+  std::optional<std::filesystem::path> sequence;  ///< the recording; else one that relock comes with
+  std::optional<std::filesystem::path> labels;
+  std::optional<double> rate_hz;
+  std::optional<std::string> format;   ///< else recognised
+  std::optional<std::string> topic;    ///< ROS bags
+  std::vector<std::string> methods;    ///< else all but yardsticks
+  std::optional<std::string> gate;     ///< else the one by which resets were judged, else centre
+  std::optional<std::string> target;   ///< only this one
+  std::optional<double> from_s, to_s;  ///< only this part
+};
+int video(const VideoArguments& arguments);
+
 struct DetectArguments {
   std::vector<std::filesystem::path> images;
   std::string method;
