@@ -33,16 +33,11 @@ struct KindLook {
 };
 const std::vector<KindLook>& all_kinds() {
   static const std::vector<KindLook> all{
-      {"Hit", {"#009e73", -.40, .40}},
-      {"Stray", {"#d55e00", -.40, .05}},
-      {"WrongId", {"#cc79a7", -.05, .40}},
-      {"Miss", {"#0072b2", -.40, -.26}},
-      {"FalseAlarm", {"#e69f00", .16, .40}},
-      {"CorrectReject", {"#999999", -.05, .05}},
-      {"Given", {"#000000", -.46, .46}},
-      {"Skipped", {"#56b4e9", -.40, -.34}},
-      {"unlabelled", {"#dddddd", -.12, .12}},
-      {"not recorded", {"#000000", -.30, .30}},
+      {"Hit", {"#009e73", -.40, .40}},        {"Stray", {"#d55e00", -.40, .05}},
+      {"WrongId", {"#cc79a7", -.05, .40}},    {"Miss", {"#0072b2", -.40, -.26}},
+      {"FalseAlarm", {"#e69f00", .16, .40}},  {"CorrectReject", {"#999999", -.05, .05}},
+      {"Given", {"#000000", -.46, .46}},      {"Skipped", {"#56b4e9", -.40, -.34}},
+      {"unlabelled", {"#dddddd", -.12, .12}}, {"not recorded", {"#000000", -.30, .30}},
       {"dropped", {"#808080", -.30, .05}},
   };
   return all;
