@@ -124,7 +124,34 @@ void add_timeline(CLI::App& app, TimelineArguments& a) {
       *app.add_subcommand("timeline", "Show when each method had the target, lost it and had it back");
   verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
   verb.add_option("--target", a.target, "only this target");
+  verb.add_option("--method", a.methods, "only this method; repeatable")->allow_extra_args(false);
   verb.add_flag("--ascii", a.ascii, "letters only, without colour");
+  verb.add_option("--svg", a.svg, "draw a figure for a paper into this file in place of letters");
+  verb.add_option("--pdf", a.pdf, "likewise, with its fonts in it");
+  verb.add_option("--png", a.png, "likewise, at 200 dots per inch");
+  verb.add_option("--width-mm", a.width_mm, "of the figure; else 174, two columns of a journal (one is 85)")
+      ->check(CLI::Range(40, 2000));
+  verb.add_option("--height-mm", a.height_mm, "of the figure; else what its lanes need")
+      ->check(CLI::Range(10, 2000));
+  add_gate(verb, a.gate, "when an answer is a Hit");
+}
+
+void add_video(CLI::App& app, VideoArguments& a) {
+  CLI::App& verb = *app.add_subcommand(
+      "video", "Draw truth and answers on the recording, methods side by side, at its own times");
+  verb.add_option("results", a.folder, "a folder of results of one recording, or a part of one")->required();
+  verb.add_option("--out,-o", a.out, "the video's file (.mp4); it must not be there yet")->required();
+  verb.add_option("--method", a.methods, "only this method; repeatable, else all but yardsticks")
+      ->allow_extra_args(false);
+  verb.add_option("--target", a.target, "only this target");
+  verb.add_option("--from", a.from_s, "begin here, s from the first frame");
+  verb.add_option("--to", a.to_s, "end here, s from the first frame");
+  verb.add_option("--sequence", a.sequence,
+                  "the recording; else the one of that name that relock comes with");
+  verb.add_option("--labels", a.labels, "its labels, where `relock run` was told");
+  verb.add_option("--rate", a.rate_hz, "its rate, Hz, likewise");
+  verb.add_option("--format", a.format, "how it is kept on disk; else recognised");
+  verb.add_option("--topic", a.topic, "ROS bags: of the pictures; else the only one that has any");
   add_gate(verb, a.gate, "when an answer is a Hit");
 }
 
@@ -366,6 +393,7 @@ void add_verbs(CLI::App& app, Arguments& arguments) {
   add_gain(app, arguments.gain);
   add_explain(app, arguments.explain);
   add_timeline(app, arguments.timeline);
+  add_video(app, arguments.video);
   add_results_verb(app, arguments.survival, "survival",
                    "Tell how long methods hold a target that they were given");
   add_results_verb(app, arguments.attribute, "attribute",

@@ -21,6 +21,7 @@ struct Arguments {
   ExplainArguments explain;
   TimelineArguments timeline;
   ReportArguments report;
+  VideoArguments video;
   DetectArguments detect;
   ListArguments list;
   InspectArguments inspect;

@@ -60,6 +60,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& met
   if (app.got_subcommand("gain")) return gain(arguments.gain);
   if (app.got_subcommand("explain")) return explain(arguments.explain);
   if (app.got_subcommand("timeline")) return timeline(arguments.timeline);
+  if (app.got_subcommand("video")) return video(arguments.video);
   if (app.got_subcommand("survival")) return survival(arguments.survival);
   if (app.got_subcommand("attribute")) return attribute(arguments.attribute);
   if (app.got_subcommand("report")) return report(arguments.report);

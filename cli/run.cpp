@@ -7,6 +7,7 @@
 #include <opencv2/core/utility.hpp>
 #include <set>
 
+#include "cli/interrupt.h"
 #include "cli/paired.h"
 #include "cli/readable.h"
 #include "cli/runs/folder.h"
@@ -22,7 +23,7 @@
 namespace relock {
 namespace {
 
-constexpr int kMethodFailed = 1, kInputAtFault = 2, kInterrupted = 130;
+constexpr int kMethodFailed = 1, kInputAtFault = 2;
 
 Plan plan_of(const RunArguments& arguments) {
   const bool described = arguments.sequence || arguments.methods || arguments.gaps || arguments.protocol ||

@@ -89,6 +89,9 @@ struct TimelineArguments {
   std::optional<std::string> gate;    ///< else the one by which resets were judged, else centre
   std::optional<std::string> target;  ///< only this one
   bool ascii = false;
+  std::vector<std::string> methods;                    ///< else all; of figures all but yardsticks
+  std::optional<std::filesystem::path> svg, png, pdf;  ///< figures in place of letters
+  std::optional<double> width_mm, height_mm;  ///< of figures; else a journal's column, and what lanes need
 };
 int timeline(const TimelineArguments& arguments);
 
@@ -100,6 +103,21 @@ struct ReportArguments {
   double pictures_mb = 4;                        ///< all pictures together, as they stand in the page
 };
 int report(const ReportArguments& arguments);
+
+struct VideoArguments {
+  std::filesystem::path folder;
+  std::filesystem::path out;
+  std::optional<std::filesystem::path> sequence;  ///< the recording; else one that relock comes with
+  std::optional<std::filesystem::path> labels;
+  std::optional<double> rate_hz;
+  std::optional<std::string> format;   ///< else recognised
+  std::optional<std::string> topic;    ///< ROS bags
+  std::vector<std::string> methods;    ///< else all but yardsticks
+  std::optional<std::string> gate;     ///< else the one by which resets were judged, else centre
+  std::optional<std::string> target;   ///< only this one
+  std::optional<double> from_s, to_s;  ///< only this part
+};
+int video(const VideoArguments& arguments);
 
 struct DetectArguments {
   std::vector<std::filesystem::path> images;

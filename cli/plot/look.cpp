@@ -38,28 +38,6 @@ std::string points_of(const Shape& shape) {
   return fmt::format("pointtype {} pointsize {:g} * mark", shape.type, shape.size);
 }
 
-/// What is no character for a drawing (control characters, broken UTF-8) is left out.
-std::string legible(std::string_view text) {
-  std::string whole;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[i]);
-    const std::size_t length = lead < 0x80 ? 1 : lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-    const std::string_view character = text.substr(i, length);
-    const bool starts = lead < 0x80 || (lead >= 0xc2 && lead <= 0xf4);
-    const bool goes_on = std::all_of(character.begin() + 1, character.end(),
-                                     [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; });
-    if (!starts || character.size() < length || !goes_on) {
-      whole += "\xef\xbf\xbd";  // U+FFFD
-      ++i;
-      continue;
-    }
-    const bool control = lead < 0x20 || lead == 0x7f;
-    whole += control ? " " : std::string(character);
-    i += length;
-  }
-  return whole;
-}
-
 }  // namespace
 
 std::string_view colour(std::size_t i) {
@@ -81,6 +59,27 @@ CurveLook published_look(std::size_t i) {
   const std::array<std::string_view, 3> dashes{"(9,7)", "(4,6)", "(14,5,3,5)"};
   return {fmt::format("linewidth {} linecolor rgb '{}' dashtype {}", kCurve, grey, dashes[i % dashes.size()]),
           points_of({kOpen[i % kOpen.size()], .8}), grey};
+}
+
+std::string legible(std::string_view text) {
+  std::string whole;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    const std::size_t length = lead < 0x80 ? 1 : lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+    const std::string_view character = text.substr(i, length);
+    const bool starts = lead < 0x80 || (lead >= 0xc2 && lead <= 0xf4);
+    const bool goes_on = std::all_of(character.begin() + 1, character.end(),
+                                     [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; });
+    if (!starts || character.size() < length || !goes_on) {
+      whole += "\xef\xbf\xbd";  // U+FFFD
+      ++i;
+      continue;
+    }
+    const bool control = lead < 0x20 || lead == 0x7f;
+    whole += control ? " " : std::string(character);
+    i += length;
+  }
+  return whole;
 }
 
 std::string literal(std::string_view text) {

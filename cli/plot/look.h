@@ -30,6 +30,8 @@ struct CurveLook {
 CurveLook curve_look(std::size_t i);
 CurveLook published_look(std::size_t i);
 
+/// A text on one line; control characters are spaces, and bytes that are no UTF-8 are U+FFFD.
+std::string legible(std::string_view text);
 /// A text as gnuplot takes it, whatever is in it: on one line, and well-formed UTF-8.
 std::string literal(std::string_view text);
 /// Likewise on several lines, none longer than `width_mm`, for a title whose letters are `letters_pt` high.

@@ -52,6 +52,16 @@ struct PlotLane {
   std::string name = {};
   std::vector<LaneStretch> stretches = {};
 };
+/// How one kind of stretch looks: its colour, and from where to where it fills its lane, -0.5 (foot) to 0.5 (head).
+struct LaneLook {
+  std::string colour;  ///< "#0072b2"
+  double low = 0, high = 0;
+};
+/// Over all lanes: how much there was of something, from when to when.
+struct LaneBar {
+  double from = 0, to = 0;
+  double value = 0;  ///< 0 or more
+};
 /// Rows of stretches over a common axis of time: who was where, when. Kinds differ in height, too. A stretch
 /// that is too short to be seen is drawn as a hairline.
 struct LanePlot {
@@ -60,6 +70,11 @@ struct LanePlot {
   std::vector<std::string> kinds = {};  ///< of stretches, with a colour each, in the legend
   std::vector<PlotLane> lanes = {};     ///< from the top
   double width_mm = 180, lane_mm = 7;
+  std::optional<double> height_mm =
+      {};  ///< of the sheet; then lanes are as high as fits, and lane_mm says nothing
+  std::vector<LaneLook> looks = {};  ///< of each kind; else colours and heights in turn
+  std::vector<LaneBar> above = {};   ///< a panel of bars over the lanes
+  std::string above_title = {};      ///< with its unit
 };
 
 /// Whether plots can be drawn here: gnuplot is installed.

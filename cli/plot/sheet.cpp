@@ -15,9 +15,9 @@ namespace relock::figure {
 namespace {
 
 constexpr std::string_view kFont = "DejaVu Sans";
-constexpr double kRow = 3.9;       // mm, from one line of text to the next
+constexpr double kRow = 3.9;        // mm, from one line of text to the next
 constexpr double kLegendRow = 4.9;  // mm, likewise in a legend: what gnuplot's widest terminal takes, SVG
-constexpr double kTitleFrom = 18;  // mm that the title cannot have, about: left of the panel
+constexpr double kTitleFrom = 18;   // mm that the title cannot have, about: left of the panel
 
 /// A terminal of gnuplot, and what a sheet, letters, lines and points of a stated size are to it.
 struct Terminal {
@@ -123,6 +123,8 @@ double margins_mm(const Sheet& sheet) {
   const Margins margins = margins_of(sheet);
   return margins.above + margins.below;
 }
+
+double above_mm(const Sheet& sheet) { return margins_of(sheet).above; }
 
 std::string sheet(const Sheet& sheet) {
   const Margins margins = margins_of(sheet);

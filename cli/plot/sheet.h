@@ -30,6 +30,8 @@ struct Sheet {
 std::string sheet(const Sheet& sheet);
 /// What of its height is not the panel's.
 double margins_mm(const Sheet& sheet);
+/// Of that, above the panel.
+double above_mm(const Sheet& sheet);
 
 /// Has gnuplot draw the script into the file. Throws Error as draw() does.
 void draw_into(const std::filesystem::path& file, double width_mm, double height_mm,

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <map>
 #include <memory>
 
+#include "cli/interrupt.h"
 #include "cli/terminal.h"
 #include "core/error.h"
 
@@ -17,28 +16,6 @@ namespace relock {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-volatile std::sig_atomic_t interrupt = 0;
-
-/// While it lives, signals that ask the program to end are noted and not obeyed at once.
-class InterruptNote {
- public:
-  InterruptNote() {
-    interrupt = 0;
-    struct sigaction note {};
-    note.sa_handler = [](int signal) { interrupt = signal; };
-    for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &note, &before_[i]);
-  }
-  ~InterruptNote() {
-    for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before_[i], nullptr);
-  }
-  InterruptNote(const InterruptNote&) = delete;
-  InterruptNote& operator=(const InterruptNote&) = delete;
-
- private:
-  static constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
-  std::array<struct sigaction, 3> before_{};
-};
 
 /// How long the rest will take, from how long each method has taken for a frame so far.
 class Pace {
@@ -70,7 +47,7 @@ class Pool {
 
   bool make_all() {
     const InterruptNote note;
-    while (interrupt == 0 && (next_ < todo_.size() || !busy_.empty())) {
+    while (!note.asked() && (next_ < todo_.size() || !busy_.empty())) {
       while (next_ < todo_.size() && busy_.size() < static_cast<std::size_t>(jobs_)) begin(todo_[next_++]);
       wait();
       look_at_all();

@@ -221,6 +221,37 @@ TEST_F(Plots, JoinStretchesThatTouchAndKeepTheShortest) {
             "a stretch of \"lane 0\" is of kind 2, and the plot names 2 kinds");
 }
 
+TEST_F(Plots, OfLanesAreAsLargeAsAsked) {
+  LanePlot plot = lanes(4, 3);
+  plot.width_mm = 85, plot.height_mm = 60;
+  EXPECT_NE(drawn(plot).find("width=\"85mm\" height=\"60mm\""), std::string::npos);
+  plot.above = {{0, 1, 3}, {1, 2, 7}};
+  plot.above_title = "blur [px]";
+  EXPECT_NE(drawn(plot).find("width=\"85mm\" height=\"60mm\""), std::string::npos);
+  plot.height_mm = 20;
+  EXPECT_NE(fault_of([&] { drawn(plot); }).find("4 lanes and their legend need a figure of"),
+            std::string::npos);
+}
+
+TEST_F(Plots, HaveBarsOverTheLanesOnTheSameAxis) {
+  LanePlot plot = lanes(2, 3);
+  const std::string without = drawn(plot);
+  plot.above = {{0, .5, 3}, {1, 2, 7}, {2, 2.5, kNothing}};
+  plot.above_title = "blur [px]";
+  const std::string svg = drawn(plot);
+  EXPECT_EQ(count(svg, "<polygon"), count(without, "<polygon") + 2);
+  for (const char* text : {"blur [px]", "time [s]", "lane 0", "seen"})
+    EXPECT_EQ(count(svg, fmt::format(">{}<", text)), 1u) << text;
+}
+
+TEST_F(Plots, HaveLanesThatLookAsStated) {
+  LanePlot plot = lanes(1, 3);
+  plot.looks = {{"#123456", -.4, .4}, {"#654321", -.4, 0}};
+  EXPECT_NE(drawn(plot).find("rgb( 18,  52,  86)"), std::string::npos);
+  plot.looks.pop_back();
+  EXPECT_EQ(fault_of([&] { drawn(plot); }), "a plot names 2 kinds and 1 looks of them");
+}
+
 TEST_F(Plots, ThatCannotBeWrittenSaySoAndLeaveNothing) {
   const Plot plot = one_curve({"a", {{1, 1}, {2, 2}}});
   EXPECT_NE(
