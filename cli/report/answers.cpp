@@ -103,9 +103,7 @@ std::string whose_was_longest(const JudgedTable& judged) {
     if (standing == Standing::tied) tied.push_back(name);
     if (standing == Standing::untold) untold.push_back(name);
   }
-  if (!best)
-    return methods == 0 ? "Only yardsticks were run."
-                        : "How long methods had the target is not known: it was labelled too seldom.";
+  if (!best) return methods == 0 ? "Only yardsticks were run." : "";
   const JudgedMethod& m = judged.methods[*best];
   std::string text = fmt::format(
       "{}{} knew where the target was, by an answer no more than 0.1 s old, for {} of the time it could be "
@@ -145,6 +143,11 @@ std::string what_was_lost(const JudgedTable& judged) {
   return text;
 }
 
+bool can_be_judged(const JudgedTable& judged) {
+  return std::any_of(judged.methods.begin(), judged.methods.end(),
+                     [](const JudgedMethod& method) { return method.scores.recognition.has_value(); });
+}
+
 /// How hard it was: a box that never moves.
 std::string beside_the_yardstick(const JudgedTable& judged) {
   for (std::size_t i = 0; i < judged.methods.size(); ++i)
@@ -159,6 +162,9 @@ std::string beside_the_yardstick(const JudgedTable& judged) {
 }  // namespace
 
 std::vector<std::string> in_words(const JudgedTable& pooled) {
+  if (!can_be_judged(pooled))
+    return {"Whether methods had the target is not known: it was labelled too seldom.",
+            "The timelines tell who said a place at all, and whether methods agree."};
   std::vector<std::string> all;
   for (std::string sentence :
        {whose_was_longest(pooled), what_was_lost(pooled), beside_the_yardstick(pooled)})

@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace relock {
 namespace {
@@ -95,24 +94,12 @@ std::optional<FirthFit> climb(const Problem& problem, VectorXd at, Index held, c
   return fit;
 }
 
-/// Rows that weigh something: a third of those of a bootstrap weigh nothing.
-std::vector<Index> weighty(const VectorXd& weights) {
-  std::vector<Index> rows;
-  for (Index row = 0; row < weights.size(); ++row)
-    if (weights[row] != 0) rows.push_back(row);
-  return rows;
-}
-
 }  // namespace
 
 std::optional<FirthFit> firth(const MatrixXd& covariates, const VectorXd& events, const VectorXd& weights,
                               const VectorXd& from, const FirthOptions& options) {
   const VectorXd start = from.size() == 0 ? VectorXd(VectorXd::Zero(covariates.cols())) : from;
-  if (weights.size() == 0) return climb({covariates, events, weights}, start, -1, options);
-  const auto rows = weighty(weights);
-  const MatrixXd own = covariates(rows, Eigen::all);
-  const VectorXd own_events = events(rows), own_weights = weights(rows);
-  return climb({own, own_events, own_weights}, start, -1, options);
+  return climb({covariates, events, weights}, start, -1, options);
 }
 
 Interval wald_interval(const FirthFit& fit, Index coefficient) {

@@ -50,6 +50,9 @@ class Browser:
             raise RuntimeError(f"{path}: {fault.read().decode()[:400]}") from None
 
     def open(self, path):
+        """Goes to a file. What the browser's own first page asks for is forgotten."""
+        self._ask("POST", "/url", {"url": "about:blank"})
+        self.requests()
         self._ask("POST", "/url", {"url": "file://" + os.path.abspath(path)})
 
     def run(self, script, *arguments):

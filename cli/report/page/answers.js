@@ -5,7 +5,7 @@ const SCALE_WIDTH = 120;
 /** A share on a scale from 0 to 1: a bar for the value, a whisker for its interval. */
 function shareScale(share, muted) {
   const x = value => 1 + Math.max(0, Math.min(1, value)) * (SCALE_WIDTH - 2);
-  const drawing = svg("svg", {width: SCALE_WIDTH, height: 14, "aria-hidden": "true", class: "scale" + (muted ? " muted" : "")});
+  const drawing = svg("svg", {width: SCALE_WIDTH, height: 14, viewBox: `0 0 ${SCALE_WIDTH} 14`, preserveAspectRatio: "none", "aria-hidden": "true", class: "scale" + (muted ? " muted" : "")});
   drawing.append(svg("rect", {class: "track", x: 1, y: 4, width: SCALE_WIDTH - 2, height: 6}));
   drawing.append(svg("rect", {class: "bar", x: 1, y: 4, width: x(share.value) - 1, height: 6}));
   if (share.interval) {

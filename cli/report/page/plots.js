@@ -10,7 +10,8 @@ function axis(options) {
 /** Seconds with as many digits as the step needs. */
 function secondsText(plot, splits) {
   const step = splits.length > 1 ? splits[1] - splits[0] : 1;
-  const decimals = Math.max(0, Math.min(3, Math.ceil(-Math.log10(step) - 1e-9)));
+  const whole = decimals => Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) < 1e-6;
+  const decimals = [0, 1, 2, 3].find(whole) ?? 4;
   return splits.map(value => `${fixed(value, decimals)} s`);
 }
 

@@ -60,12 +60,12 @@ class Timeline {
 
   topOf(i) { return 8 + i * (LANE + LANE_GAP + 4); }
   get height() { return this.topOf(this.lanes.length) + 2; }
-  get width() { return this.place.clientWidth; }
-  get inner() { return this.width - leftOf(this.width) - RIGHT; }
   x(time) { return (time - this.range[0]) / (this.range[1] - this.range[0]) * this.inner; }
   time(x) { return this.range[0] + x / this.inner * (this.range[1] - this.range[0]); }
 
   draw() {
+    this.width = this.place.clientWidth;  // kept: asking the page is slow, and every mark needs it
+    this.inner = this.width - leftOf(this.width) - RIGHT;
     if (this.width < 60) return;
     this.drawAxis();
     this.board.style.marginLeft = `${leftOf(this.width)}px`;
