@@ -242,6 +242,40 @@ struct ImportArguments {
 };
 int import_results(const ImportArguments& arguments);
 
+struct LabelArguments {
+  std::filesystem::path recording;
+  std::optional<std::filesystem::path> labels;  ///< the file to write; else where the recording's belong
+  std::optional<double> rate_hz;
+  std::optional<std::string> format;  ///< else recognised
+  std::optional<std::string> topic;   ///< ROS bags
+  std::uint16_t port = 0;             ///< 0: any that is free
+  double max_gap_s = 2.0;
+  double sigma_px = 1.0;  ///< of what is placed by hand, at the picture's own size
+  bool no_browser = false;
+  bool check = false;  ///< write the check sheet and end
+  std::optional<std::filesystem::path> sheet;
+};
+int label(const LabelArguments& arguments);
+
+struct ConvertLabelsArguments {
+  std::vector<std::filesystem::path> from;  ///< files of labels, or a recording
+  std::optional<std::string> from_format;   ///< else recognised
+  std::string to_format;
+  std::filesystem::path out;
+  std::optional<std::filesystem::path> sequence;  ///< the recording that labels are of
+  std::vector<std::string> targets;
+};
+int convert_labels(const ConvertLabelsArguments& arguments);
+
+struct AlignLabelsArguments {
+  std::filesystem::path sequence;
+  std::filesystem::path truth;  ///< times and places by another clock
+  std::optional<std::string> target;
+  double within_s = 5.0;                     ///< offsets looked for, to either side
+  std::optional<std::filesystem::path> out;  ///< labels.csv at the corrected times
+};
+int align_labels(const AlignLabelsArguments& arguments);
+
 struct CompatibilityArguments {
   std::filesystem::path folder;
   std::string align = "none";          ///< evo: none, rigid or similarity
