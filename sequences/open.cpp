@@ -149,6 +149,12 @@ std::string file_fingerprint(const fs::path& path) {
   return print.text();
 }
 
+std::string text_fingerprint(std::string_view text) {
+  Fingerprint print;
+  print.add(text);
+  return print.text();
+}
+
 void write_description(const fs::path& folder, const Recording& recording) {
   std::ofstream toml(folder / "recording.toml", std::ios::binary);
   toml << description_text(recording);

@@ -54,6 +54,8 @@ Sequence open_sequence(const std::filesystem::path& path, const OpenOptions& opt
 
 /// Of one file's bytes. Throws Error when it cannot be read.
 std::string file_fingerprint(const std::filesystem::path& path);
+/// Of a text, whatever file it is in.
+std::string text_fingerprint(std::string_view text);
 
 /// Writes everything about a recording but its pictures into `folder`, which exists: recording.toml,
 /// timestamps.csv and labels.csv.
