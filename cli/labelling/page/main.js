@@ -230,7 +230,7 @@ const picture = element("picture");
 let drag = null;
 picture.addEventListener("pointerdown", (event) => {
   picture.setPointerCapture(event.pointerId);
-  if (event.button === 0) tools.down(view.inPicture(event));
+  if (event.button === 0) tools.down(view.inPicture(event), event.shiftKey);
   else drag = [event.clientX, event.clientY];
   draw();
 });
@@ -326,7 +326,7 @@ const keys = {
 document.addEventListener("keydown", (event) => {
   if (!page.data || event.altKey || event.metaKey || event.target.matches("input, select")) return;
   if (event.target.matches("button") && ["Enter", " "].includes(event.key)) return;
-  const does = event.ctrlKey ? (event.key === "z" ? undo : event.key.startsWith("Arrow") ? nudge : null) : keys[event.key];
+  const does = event.ctrlKey ? (event.key === "z" ? undo : event.key.startsWith("Arrow") ? nudge : null) : keys[event.key] ?? keys[event.key.toLowerCase()]; // with Caps Lock, too
   if (!does) return;
   event.preventDefault();
   does(event);

@@ -53,7 +53,7 @@ export class Strip {
     pen.font = "11px system-ui, sans-serif";
     for (let t = 0; t <= this.length; t += step) {
       pen.fillRect(this.#x(t), 10, 1, 5);
-      pen.fillText(`${+t.toFixed(1)} s`, this.#x(t) + 3, 11);
+      if (this.#x(t) + 34 < this.width) pen.fillText(`${+t.toFixed(1)} s`, this.#x(t) + 3, 11);
     }
   }
 
@@ -102,11 +102,15 @@ export class Strip {
     const pen = this.pen, floor = kTop + kBar + kCurve, { outlines, sigma_px: sigma } = target.frames;
     pen.strokeStyle = this.soft;
     pen.strokeRect(this.#x(0), floor, this.#x(this.length) - this.#x(0), 0);
+    pen.font = "11px system-ui, sans-serif";
+    pen.fillStyle = this.soft;
+    pen.fillText("doubt", this.#x(0) + 2, floor - kCurve + 12);
     pen.fillStyle = colours.curve;
+    const wide = Math.min(5, Math.max(1, (this.width - 16) / outlines.length - 1));
     outlines.forEach((outline, i) => {
       if (!outline || sigma[i] === null) return;
       const high = Math.min(1, (4 * sigma[i]) / extentOf(outline)) * (kCurve - 4);
-      pen.fillRect(this.#x(this.times[i]) - 0.6, floor - high, 1.2, high);
+      pen.fillRect(this.#x(this.times[i]) - wide / 2, floor - high, wide, high);
     });
     pen.fillStyle = colours.other;
     target.likeness.forEach((like, i) => {

@@ -3,6 +3,7 @@
 import { centreOf, pathOf } from "./view.js";
 
 const kLeast = 2; // px: less is a slip
+const kAnew = 1 / 3; // a corner dragged so near to the other one draws a new box over the old one
 
 export function moved(outline, dx, dy) {
   if (outline.box) return { box: [outline.box[0] + dx, outline.box[1] + dy, outline.box[2], outline.box[3]] };
@@ -95,12 +96,13 @@ export class Tools {
     return this.#corners;
   }
 
-  down(p) {
+  /// `anew`: whatever is there already, draw another one.
+  down(p, anew = false) {
     if (this.#axis) return; // the click that tells the width ends in up()
     if (this.tool === "centre") {
       const outline = this.shown() ?? this.fresh(), [x, y] = centreOf(outline);
       this.#hold = (q) => moved(outline, q[0] - x, q[1] - y);
-    } else if (!this.#corners.length) {
+    } else if (!this.#corners.length && !anew) {
       this.#hold = this.#grip(p);
     }
     if (!this.#hold && this.tool === "box") this.#hold = (q) => between(p, q);
@@ -155,8 +157,17 @@ export class Tools {
       this.draft = outline;
       return;
     }
+    const drawn = this.#drawnOver(outline, p);
     this.cancel();
+    if (drawn) return this.place(drawn);
     if (outline.box && (outline.box[2] < kLeast || outline.box[3] < kLeast)) return;
     this.place(outline);
+  }
+
+  /// From the top left corner to the bottom right one of what is nearly the same box already: no corner was meant.
+  #drawnOver(outline, p) {
+    const old = this.shown()?.box, box = between(this.from, p);
+    const shrunk = old && outline.box && outline.box[2] < kAnew * old[2] && outline.box[3] < kAnew * old[3];
+    return shrunk && box.box[2] > kAnew * old[2] && box.box[3] > kAnew * old[3] ? box : null;
   }
 }

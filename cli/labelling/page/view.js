@@ -147,7 +147,7 @@ export class View {
     if (outline.quad) this.handle([outline.quad[0], outline.quad[1]], colour, 3); // the target's own top left
     if (!name) return;
     const pen = this.pen, top = Math.min(...path.map((p) => p[1])), left = Math.min(...path.map((p) => p[0]));
-    pen.font = `${13 * this.ratio}px system-ui, sans-serif`;
+    pen.font = `600 ${13 * this.ratio}px system-ui, sans-serif`;
     pen.lineWidth = 3 * this.ratio;
     pen.strokeStyle = colours.halo;
     pen.strokeText(name, left, top - 5 * this.ratio);
