@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include "cli/catalogue.h"
+#include "cli/drawing.h"
+#include "cli/labelling/check_sheet.h"
 #include "cli/labelling/server.h"
 #include "cli/recordings.h"
 #include "cli/verbs.h"
@@ -41,6 +43,14 @@ void show_in_browser(const std::string& link) {
   posix_spawnp(&child, "xdg-open", nullptr, nullptr, arguments, environ);
 }
 
+/// Tells how good the labels are, and shows them.
+void check(const LabelDesk& desk, const std::filesystem::path& sheet) {
+  const auto checks = check_labels(desk);
+  fmt::print("{}", check_text(desk, checks));
+  write_picture(sheet, contact_sheet(desk, checks));
+  fmt::print("The pictures are in {}\n", sheet.string());
+}
+
 }  // namespace
 
 int label(const LabelArguments& arguments, const Methods& methods) {
@@ -48,6 +58,10 @@ int label(const LabelArguments& arguments, const Methods& methods) {
   if (!(arguments.sigma_px >= 0.01 && arguments.sigma_px <= 100))
     throw Error("--sigma must be from 0.01 to 100 px");
   LabelDesk desk(open_for_labelling(arguments), arguments.max_gap_s);
+  if (arguments.check) {
+    check(desk, arguments.sheet);
+    return 0;
+  }
   LabelServer server(desk, helper_of(arguments.detector, methods), {arguments.port, arguments.sigma_px});
   fmt::print("Label {} here, on this machine only: {}\n", desk.sequence().recording.name, server.link());
   fmt::print("Everything is saved at once, in {} and {}; end with Ctrl-C\n", desk.labels_file().string(),

@@ -250,11 +250,11 @@ struct LabelArguments {
   std::optional<std::string> topic;   ///< ROS bags
   std::uint16_t port = 0;             ///< 0: any that is free
   std::optional<double> max_gap_s;
-  double sigma_px = 1.0;  ///< of what is placed by hand, at the picture's own size
+  double sigma_px = 1.0;                ///< of what is placed by hand, at the picture's own size
   std::optional<std::string> detector;  ///< whose answers may be taken over where the user says so
   bool no_browser = false;
   bool check = false;  ///< write the check sheet and end
-  std::optional<std::filesystem::path> sheet;
+  std::filesystem::path sheet = "labels-check.png";
 };
 int label(const LabelArguments& arguments, const Methods& methods);
 
