@@ -126,17 +126,30 @@ class Filler {
     std::vector<SmoothCurve> shape;
     for (const Readings& each : stretch.shape) shape.emplace_back(each, of_shapes_);
     const LabelSource source = source_of(stretch);
+    const std::vector<double> off = off_when_left_out(stretch);
     for (std::size_t i = 0; i + 1 < stretch.keys.size(); ++i)
       for (std::size_t frame = stretch.keys[i]->frame + 1; frame < stretch.keys[i + 1]->frame; ++frame) {
         const double at = seconds_from(stretch, frame);
         OutlineNumbers numbers{{x.value(at), y.value(at)}, {}, {}};
         for (const SmoothCurve& each : shape) numbers.shape.push_back(each.value(at));
         TargetTruth truth = label(outline_of(numbers, *stretch.keys[i]->outline), state_at(frame));
-        truth.sigma_px = result_.widened * std::hypot(x.sigma(at), y.sigma(at)) / std::sqrt(2.0);
+        truth.sigma_px = std::max({result_.widened, off[i], off[i + 1]}) *
+                         std::hypot(x.sigma(at), y.sigma(at)) / std::sqrt(2.0);
         truth.source = source;
         result_.truth[frame] = std::move(truth);
         result_.rests_on[frame] = RestsOn::curve;
       }
+  }
+
+  /// Of each key frame, in sigmas. Cameras jerk now and then, and the model knows one restlessness for all times: where
+  /// a key frame was a surprise, the curve beside it is less sure.
+  std::vector<double> off_when_left_out(const Stretch& stretch) const {
+    const auto x = leave_each_out(stretch.x, of_places_), y = leave_each_out(stretch.y, of_places_);
+    std::vector<double> off(x.size(), 1.0);
+    for (std::size_t i = 0; i < off.size(); ++i)
+      if (x[i] && y[i])
+        off[i] = std::hypot(x[i]->error / x[i]->sigma, y[i]->error / y[i]->sigma) / std::sqrt(2.0);
+    return off;
   }
 
   static LabelSource source_of(const Stretch& stretch) {

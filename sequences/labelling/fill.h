@@ -13,7 +13,7 @@ struct FillOptions {
   LabelLimits limits = {};
   /// How much a target's velocity usually changes, in its sizes: variance per second. What the key frames themselves
   /// tell soon outweighs it.
-  double usual_restlessness = 30;
+  double usual_restlessness = 100;
 };
 
 /// What a frame's label rests on.

@@ -239,15 +239,29 @@ class ModelSearch {
     }
   }
 
-  const CurveModel& best() const { return best_; }
+  /// The most restless one that is hardly less likely than the best: of few readings, the calmest explanation is often
+  /// the best one, and too sure of itself.
+  CurveModel cautious() {
+    const CurveModel best = best_;
+    const double least = least_, log_ratio = best_log_;
+    CurveModel result = best;
+    for (double more = kStep; more <= kReach; more += kStep) {
+      if (look_at(best.order, log_ratio + more, best.tremor) > least + kHardlyLess) break;
+      result.restlessness = best.restlessness * std::exp(more);
+    }
+    return result;
+  }
 
  private:
-  static constexpr double kSpread =
-      4;  // of the logarithm of restlessness: the usual is known within a factor of 50
+  // Of the logarithm of restlessness: the usual is known within a factor of five.
+  static constexpr double kSpread = 1.5;
   static constexpr double kReach = 14;  // searched to either side of the usual
-  static constexpr double kCoarse = 2, kFine = 0.1;
-  static constexpr double kPerSecond2 = 9;       // order 3: changes at about 3 rad/s are usual
-  static constexpr double kDoubtOfTremor = 1.5;  // must be outweighed by the readings
+  static constexpr double kCoarse = 2, kFine = 0.1, kStep = 0.25;
+  static constexpr double kHardlyLess = 2;
+  static constexpr double kPerSecond2 = 9;  // order 3: changes at about 3 rad/s are usual
+  // What must be outweighed by the readings. Order 3 says that a curve that misses readings by much, when two gaps are
+  // left between the others, misses by little within one: of a camera that jerks now and then that is wrong.
+  static constexpr double kDoubtOfTremor = 1.5, kDoubtOfOrder3 = 5;
 
   template <class Look>
   static void refine(const Look& look, double& best, double step) {
@@ -262,7 +276,7 @@ class ModelSearch {
     const double unit = order == 3 ? usual_ * kPerSecond2 : usual_;
     const CurveModel model{order, unit * std::exp(log_ratio), tremor};
     const double cost = surprise(tracks_, model) + log_ratio * log_ratio / (2 * kSpread * kSpread) +
-                        (tremor > 0 ? kDoubtOfTremor : 0);
+                        (tremor > 0 ? kDoubtOfTremor : 0) + (order == 3 ? kDoubtOfOrder3 : 0);
     if (cost < least_) {
       least_ = cost;
       best_ = model;
@@ -325,7 +339,7 @@ CurveModel likely_model(std::span<const Readings> tracks, double usual, Models m
     search.try_order(3);
     search.try_tremor();
   }
-  return search.best();
+  return search.cautious();
 }
 
 }  // namespace relock

@@ -61,8 +61,8 @@ enum class Models : std::uint8_t {
   steady,  ///< order 2 without tremor
   all,     ///< orders 2 and 3, with and without tremor
 };
-/// The model that foretells left-out readings best (their likelihood), common to all of `tracks`; where they are too few
-/// to tell, order 2 with a restlessness near `usual`, in the readings' unit squared per second cubed.
+/// The model that foretells left-out readings best (their likelihood), common to all of `tracks`, and rather too restless
+/// than too sure: the more readings, the less so. Where they are too few to tell, order 2 with a restlessness near `usual`, in the readings' unit squared per second cubed.
 CurveModel likely_model(std::span<const Readings> tracks, double usual, Models models);
 
 }  // namespace relock
