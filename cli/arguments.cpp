@@ -382,6 +382,27 @@ void add_compatibility(CLI::App& app, CompatibilityArguments& a) {
   verb.add_flag("--json", a.json, "print scores and curves as JSON");
 }
 
+void add_label(CLI::App& app, LabelArguments& a) {
+  CLI::App& verb = *app.add_subcommand("label", "Label a recording by hand, in the browser");
+  verb.add_option("recording", a.recording, "the recording, or the name of one that relock comes with")
+      ->required();
+  verb.add_option("--labels", a.labels, "the file to write; else where the recording's labels belong");
+  verb.add_option(
+      "--max-gap", a.max_gap_s,
+      "between placed key frames, s: over more, nothing is filled in; else what the key frames say, or 2");
+  verb.add_option("--sigma", a.sigma_px, "how exactly a hand places, px of the screen")
+      ->capture_default_str();
+  verb.add_option("--detector", a.detector, "a detector whose answers may be taken over, one by one");
+  verb.add_option("--rate", a.rate_hz, "nominal rate, Hz; also makes the times of a recording that has none");
+  verb.add_option("--format", a.format, "how the recording is kept on disk; else recognised");
+  verb.add_option("--topic", a.topic, "ROS bags: of the pictures; else the only one that has any");
+  verb.add_option("--port", a.port, "on this machine; else any that is free");
+  verb.add_flag("--check", a.check,
+                "tell how good the labels are by leaving key frames out, draw them on a sheet, and end");
+  verb.add_option("--sheet", a.sheet, "where --check draws them")->capture_default_str();
+  verb.add_flag("--no-browser", a.no_browser, "only print the link");
+}
+
 }  // namespace
 
 void add_verbs(CLI::App& app, Arguments& arguments) {
@@ -414,6 +435,7 @@ void add_verbs(CLI::App& app, Arguments& arguments) {
   add_export(app, arguments.export_results);
   add_import(app, arguments.import_results);
   add_compatibility(app, arguments.compatibility);
+  add_label(app, arguments.label);
 }
 
 }  // namespace relock

@@ -37,6 +37,7 @@ struct Arguments {
   ExportArguments export_results;
   ImportArguments import_results;
   CompatibilityArguments compatibility;
+  LabelArguments label;
   std::vector<std::filesystem::path> plugins;  // of any verb that names methods
 };
 

@@ -9,7 +9,8 @@
 namespace relock {
 namespace {
 
-/// Frames on which every method that was asked about the target, yardsticks apart, has a Hit.
+/// Frames on which every method that was asked about the target, yardsticks apart, has a Hit that tells how exact it
+/// is. One whose label stems from one of them is there for none.
 std::vector<bool> common_hits(const ScoredComparison& comparison, std::size_t target) {
   const auto& runs = comparison.stored.runs;
   std::vector<bool> common(comparison.stored.recording.frames(), true);
@@ -17,9 +18,10 @@ std::vector<bool> common_hits(const ScoredComparison& comparison, std::size_t ta
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (runs[i].record.yardstick || !runs[i].trajectory.judged_from[target]) continue;
     any = true;
-    const auto& judgements = comparison.evaluations[i].targets[target].judgements;
+    std::vector<bool> fixed(common.size());
+    for (const Fix& fix : comparison.tallies[i][target].tally.fixes) fixed[fix.frame] = true;
     for (std::size_t frame = 0; frame < common.size(); ++frame)
-      if (judgements[frame].verdict != Verdict::Hit) common[frame] = false;
+      if (!fixed[frame]) common[frame] = false;
   }
   if (!any) common.assign(common.size(), false);
   return common;

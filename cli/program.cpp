@@ -32,7 +32,7 @@ void check_verb(int argc, char** argv, const CLI::App& app) {
 
 /// Gives --plugin to every verb that names methods.
 void add_plugin_option(CLI::App& app, std::vector<std::filesystem::path>& plugins) {
-  const std::vector<std::string> naming{"run", "detect", "list", "check", "map", "jump", "bench"};
+  const std::vector<std::string> naming{"run", "detect", "list", "check", "map", "jump", "bench", "label"};
   for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
     if (std::find(naming.begin(), naming.end(), verb->get_name()) == naming.end()) continue;
     verb->add_option("--plugin", plugins,
@@ -77,6 +77,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, const Methods& met
   if (app.got_subcommand("marker")) return marker(arguments.marker);
   if (app.got_subcommand("export")) return export_results(arguments.export_results);
   if (app.got_subcommand("import")) return import_results(arguments.import_results);
+  if (app.got_subcommand("label")) return label(arguments.label, methods);
   if (app.got_subcommand("compatibility")) return compatibility(arguments.compatibility);
   return list(arguments.list, methods);
 }

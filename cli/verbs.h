@@ -279,6 +279,22 @@ struct ImportArguments {
 };
 int import_results(const ImportArguments& arguments);
 
+struct LabelArguments {
+  std::filesystem::path recording;
+  std::optional<std::filesystem::path> labels;  ///< the file to write; else where the recording's belong
+  std::optional<double> rate_hz;
+  std::optional<std::string> format;  ///< else recognised
+  std::optional<std::string> topic;   ///< ROS bags
+  std::uint16_t port = 0;             ///< 0: any that is free
+  std::optional<double> max_gap_s;
+  double sigma_px = 1.0;                ///< of what is placed by hand, at the picture's own size
+  std::optional<std::string> detector;  ///< whose answers may be taken over where the user says so
+  bool no_browser = false;
+  bool check = false;  ///< write the check sheet and end
+  std::filesystem::path sheet = "labels-check.png";
+};
+int label(const LabelArguments& arguments, const Methods& methods);
+
 struct CompatibilityArguments {
   std::filesystem::path folder;
   std::string align = "none";          ///< evo: none, rigid or similarity

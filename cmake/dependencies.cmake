@@ -20,6 +20,7 @@ find_package(Boost REQUIRED)  # its headers: quantiles
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 pkg_check_modules(LIBAV REQUIRED IMPORTED_TARGET libavformat libavcodec libavutil libswscale)
+pkg_check_modules(HTTPLIB REQUIRED cpp-httplib)  # serves the labelling page
 pkg_check_modules(DLIB dlib-1)  # without it, `dlib` is listed and says what it needs
 relock_find_library(csv CSV_LIBRARY)
 relock_find_library(apriltag APRILTAG_LIBRARY)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/frame.h"
@@ -27,6 +28,8 @@ struct FrameReport {
 
 /// All that a method said of a recording: with the Recording, everything that scores are made of.
 struct Trajectory {
+  std::string method =
+      {};  ///< as it would be typed; labels that stem from it are not for it (metrics.md section 6)
   bool reads_codes = false;         ///< whether the method reads codes, as its registry entry declares
   std::vector<FrameReport> frames;  ///< one for every recorded frame
   /// For each target the first frame on which it is judged (or Given); before it, or for ever without one, it

@@ -18,7 +18,14 @@ constexpr int kDecimals = 4;
 const std::vector<std::string> kPlainColumns{
     "frame",  "target", "label",    "projected_x", "projected_y", "visible_fraction", "occluded_fraction",
     "blur_x", "blur_y", "tilt_deg", "sigma_px"};
-const std::vector<std::string> kColumns = with_outline_columns(kPlainColumns);
+constexpr const char* kSource = "source";
+
+/// In the order in which they are written; the source, which older files have not, comes last.
+std::vector<std::string> columns(SourceColumn source) {
+  std::vector<std::string> all = with_outline_columns(kPlainColumns);
+  if (source == SourceColumn::written) all.emplace_back(kSource);
+  return all;
+}
 
 /// Of a quad: where its diagonals meet.
 std::optional<Vec2> projected_centre(const Outline& outline) {
@@ -32,7 +39,7 @@ class LabelReader {
   LabelReader(std::istream& in, const std::string& file, const Description& description,
               const LabelLimits& limits, Recording& recording)
       : rows_(in, file), description_(description), limits_(limits), recording_(recording), outlines_(rows_) {
-    rows_.expect_only(kColumns);
+    rows_.expect_only(columns(SourceColumn::written));
     for (const auto& entry : description.targets) recording_.targets.push_back(entry.target);
   }
 
@@ -101,12 +108,21 @@ class LabelReader {
     truth.tilt_deg = rows_.optional_number(tilt_deg_);
     truth.sigma_px = rows_.optional_number(sigma_px_).value_or(default_sigma_px());
     if (truth.sigma_px < 0) rows_.fail("column sigma_px: it must not be below 0");
+    truth.source = read_source();
     truth.label = read_label(truth);
     if (truth.label == Label::visible) {
       if (!truth.outline) rows_.fail("a visible target needs an outline");
       if (inside == 0) rows_.fail(outside(*truth.outline));
     }
     return truth;
+  }
+
+  LabelSource read_source() {
+    try {
+      return parse_label_source(rows_.text(source_));
+    } catch (const Error& fault) {
+      rows_.fail(fmt::format("column source: {}", fault.what()));
+    }
   }
 
   Label read_label(const TargetTruth& truth) const {
@@ -169,6 +185,7 @@ class LabelReader {
   CsvReader::Column blur_y_ = rows_.optional_column("blur_y");
   CsvReader::Column tilt_deg_ = rows_.optional_column("tilt_deg");
   CsvReader::Column sigma_px_ = rows_.optional_column("sigma_px");
+  CsvReader::Column source_ = rows_.optional_column(kSource);
   std::vector<std::vector<bool>> seen_;  // for each target, which frames are labelled
 };
 
@@ -204,9 +221,12 @@ void read_labels(std::istream& in, const std::string& file, const Description& d
   LabelReader(in, file, description, limits, recording).read();
 }
 
-void write_label_header(std::ostream& out) { out << fmt::format("{}", fmt::join(kColumns, ",")) << '\n'; }
+void write_label_header(std::ostream& out, SourceColumn source) {
+  out << fmt::format("{}", fmt::join(columns(source), ",")) << '\n';
+}
 
-void write_label_row(std::ostream& out, FrameIndex frame, const Target& target, const TargetTruth& truth) {
+void write_label_row(std::ostream& out, FrameIndex frame, const Target& target, const TargetTruth& truth,
+                     SourceColumn source) {
   if (truth.label == Label::unlabelled && !truth.outline) return;
   std::string line = fmt::format("{},{},{}", frame, csv_cell(target.id), to_string(truth.label));
   append(line, truth.centre_projected);
@@ -216,15 +236,19 @@ void write_label_row(std::ostream& out, FrameIndex frame, const Target& target, 
   append(line, truth.tilt_deg);
   append(line, truth.sigma_px);
   append_outline(line, truth.outline, kDecimals);
+  if (source == SourceColumn::written) line += "," + csv_cell(to_string(truth.source));
   out << line << '\n';
 }
 
 void write_labels(std::ostream& out, const Recording& recording) {
-  write_label_header(out);
+  const bool stated = std::any_of(recording.truth.begin(), recording.truth.end(),
+                                  [](const TargetTruth& truth) { return truth.source != LabelSource{}; });
+  const SourceColumn source = stated ? SourceColumn::written : SourceColumn::left_out;
+  write_label_header(out, source);
   for (std::size_t frame = 0; frame < recording.frames(); ++frame)
     for (std::size_t t = 0; t < recording.targets.size(); ++t)
-      write_label_row(out, static_cast<FrameIndex>(frame), recording.targets[t],
-                      recording.truth_of(frame, t));
+      write_label_row(out, static_cast<FrameIndex>(frame), recording.targets[t], recording.truth_of(frame, t),
+                      source);
 }
 
 }  // namespace relock

@@ -20,6 +20,7 @@ namespace relock {
 //   blur_x, blur_y     image motion from the start to the end of the exposure, px
 //   tilt_deg           between the target's normal and the line of sight
 //   sigma_px           accuracy of this label; else recording.toml's
+//   source             hand, spline, detector NAME, spline detector NAME (core/truth.h); else nobody said
 // Frames without a row are unlabelled. An empty cell is "not given".
 
 /// Where visible ends and absent begins, as the visible part of the outline (metrics.md section 1).
@@ -42,12 +43,14 @@ void read_labels(std::istream& in, const std::string& file, const Description& d
                  const LabelLimits& limits, Recording& recording);
 
 /// Writes labels.csv, every column, so that `read_labels` gives the same truth to a ten-thousandth of a
-/// pixel.
+/// pixel. The column `source` is there where a label states one.
 void write_labels(std::ostream& out, const Recording& recording);
 
 /// The same piece by piece, for whoever makes a recording longer than memory: the header, then in each frame the row of
 /// each target (nothing for one that is unlabelled and whose place is unknown).
-void write_label_header(std::ostream& out);
-void write_label_row(std::ostream& out, FrameIndex frame, const Target& target, const TargetTruth& truth);
+enum class SourceColumn : std::uint8_t { left_out, written };
+void write_label_header(std::ostream& out, SourceColumn source = SourceColumn::left_out);
+void write_label_row(std::ostream& out, FrameIndex frame, const Target& target, const TargetTruth& truth,
+                     SourceColumn source = SourceColumn::left_out);
 
 }  // namespace relock

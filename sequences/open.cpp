@@ -34,11 +34,14 @@ class Fingerprint {
     XXH3_128bits_update(&state_, bytes.data(), bytes.size());
   }
   void add_file(const fs::path& path) {
+    add_contents(path);
+    add(path.filename().string());
+  }
+  void add_contents(const fs::path& path) {
     std::ifstream in = open_file(path);
     std::array<char, 1 << 16> buffer;
     while (in.read(buffer.data(), buffer.size()) || in.gcount() > 0)
       XXH3_128bits_update(&state_, buffer.data(), static_cast<std::size_t>(in.gcount()));
-    add(path.filename().string());
   }
   std::string text() const {
     const XXH128_hash_t hash = XXH3_128bits_digest(&state_);
@@ -81,6 +84,13 @@ std::string fingerprint(const std::vector<fs::path>& data, const Recording& reco
   return print.text();
 }
 
+/// Of the pictures' bytes alone, so that it stays the same when files are moved.
+std::string fingerprint_of_contents(const std::vector<fs::path>& data) {
+  Fingerprint print;
+  for (const fs::path& file : data) print.add_contents(file);
+  return print.text();
+}
+
 Duration period_of_recording(const Description& description, const OpenOptions& options,
                              std::span<const Time> captured) {
   if (options.rate_hz) return period_of(*options.rate_hz);
@@ -114,7 +124,15 @@ Sequence open_sequence(const fs::path& path, const OpenOptions& options) {
   sequence.median_interval =
       source->captured().size() > 1 ? median_interval(source->captured()) : sequence.recording.period;
 
-  const fs::path labels = options.labels.value_or(found.labels);
+  sequence.labels = options.labels.value_or(found.labels);
+  sequence.frames = found.frames;
+  if (options.truth == Truth::ignored) {
+    for (const auto& entry : found.description.targets) sequence.recording.targets.push_back(entry.target);
+    sequence.recording.truth.resize(sequence.recording.frames() * sequence.recording.targets.size());
+    sequence.fingerprint = fingerprint_of_contents(found.data);
+    return sequence;
+  }
+  const fs::path& labels = sequence.labels;
   if (options.labels || fs::exists(labels)) {
     std::ifstream in = open_file(labels);
     read_labels(in, labels.string(), found.description, options.limits, sequence.recording);
@@ -122,13 +140,18 @@ Sequence open_sequence(const fs::path& path, const OpenOptions& options) {
     found.label(options.limits, sequence.recording);
   }
   sequence.fingerprint = fingerprint(found.data, sequence.recording);
-  sequence.frames = std::move(found.frames);
   return sequence;
 }
 
 std::string file_fingerprint(const fs::path& path) {
   Fingerprint print;
   print.add_file(path);
+  return print.text();
+}
+
+std::string text_fingerprint(std::string_view text) {
+  Fingerprint print;
+  print.add(text);
   return print.text();
 }
 

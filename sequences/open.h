@@ -22,6 +22,12 @@ enum class TimesFrom : std::uint8_t {
 };
 std::string_view to_string(TimesFrom times);
 
+/// Whether the truth beside a recording is wanted.
+enum class Truth : std::uint8_t {
+  read,
+  ignored,  ///< whoever makes it: targets are those of recording.toml, and the fingerprint is of the pictures alone
+};
+
 /// A recording opened from disk: its truth, and as many passes over its frames as are asked for.
 struct Sequence {
   Recording recording;
@@ -29,7 +35,8 @@ struct Sequence {
   bool period_stated = false;  ///< the period was stated, not found from the capture times
   std::string format;          ///< its name, sequences/format.h
   TimesFrom times_from = TimesFrom::recorded;
-  std::string fingerprint;  ///< of pictures, times and labels: the same inputs, the same text
+  std::filesystem::path labels;  ///< where its labels.csv is, or would be
+  std::string fingerprint;       ///< of pictures, times and labels: the same inputs, the same text
   std::function<std::unique_ptr<FrameSource>()> frames;  ///< a new pass from the first frame
 };
 
@@ -39,6 +46,7 @@ struct OpenOptions {
   LabelLimits limits = {};
   std::optional<std::string> format = {};  ///< else recognised (sequences/format.h)
   std::optional<std::string> topic = {};   ///< ROS bags: of the pictures; else the only one that has any
+  Truth truth = Truth::read;
 };
 
 /// Opens the recording at `path`. Throws Error when it is none, or its labels are of another recording.
@@ -46,6 +54,8 @@ Sequence open_sequence(const std::filesystem::path& path, const OpenOptions& opt
 
 /// Of one file's bytes. Throws Error when it cannot be read.
 std::string file_fingerprint(const std::filesystem::path& path);
+/// Of a text, whatever file it is in.
+std::string text_fingerprint(std::string_view text);
 
 /// Writes everything about a recording but its pictures into `folder`, which exists: recording.toml,
 /// timestamps.csv and labels.csv.

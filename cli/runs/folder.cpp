@@ -69,6 +69,7 @@ bool left_behind(const fs::path& path) {
 
 StoredRun read_run(const fs::path& folder, RunRecord record, const Recording& recording) {
   StoredRun run{folder, std::move(record), {}};
+  run.trajectory.method = run.record.method;
   run.trajectory.reads_codes = run.record.reads_codes;
   run.trajectory.judged_from = run.record.judged_from;
   run.trajectory.failed_from = run.record.failed_from;

@@ -69,6 +69,13 @@ Json to_json(const BlurAccuracy& b) {
           {"length_p95_percent", number(b.length_p95_percent)}};
 }
 
+/// How many labels there are from where, and how many of them are not for this method.
+Json labels_of(const Scores& s) {
+  Json sources = Json::object();
+  for (const auto& [source, count] : s.labels) sources[source.empty() ? "unstated" : source] = count;
+  return {{"by_source", sources}, {"left_out_of_localization", s.own_labels}};
+}
+
 Json to_json(const Scores& s) {
   Json verdicts, kinds;
   for (std::size_t v = 0; v < kVerdicts; ++v)
@@ -109,6 +116,7 @@ Json to_json(const Scores& s) {
           {"time_to_recover", to_json(s.recovery)},
           {"survival", to_json(s.survival)},
           {"localization", to_json(s.localization)},
+          {"labels", labels_of(s)},
           {"blur", to_json(s.blur)},
           {"by_blur", bins(s.by_blur, blur_bin_name)},
           {"by_gap", bins(s.by_gap, gap_bin_name)}};

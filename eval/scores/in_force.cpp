@@ -114,6 +114,7 @@ void add_own_frames(RealTimeScores& scores, const Recording& recording, const Ev
 
 InForce in_force(const Recording& recording, const Trajectory& trajectory, std::span<const Answer> answers) {
   InForce result;
+  result.trajectory.method = trajectory.method;
   result.trajectory.reads_codes = trajectory.reads_codes;
   result.trajectory.judged_from = trajectory.judged_from;
   result.trajectory.failed_from = trajectory.failed_from;

@@ -49,6 +49,7 @@ std::vector<Fix> fixes(const Recording& recording, const Trajectory& trajectory,
   for (std::size_t frame = 0; frame < judgements.size(); ++frame) {
     if (judgements[frame].verdict != Verdict::Hit) continue;
     const TargetTruth& truth = recording.truth_of(frame, target);
+    if (stems_from(truth.source, trajectory.method)) continue;
     const Sighting& seen =
         trajectory.frames[frame].sightings[static_cast<std::size_t>(judgements[frame].sighting)];
     all.push_back({frame, target, seen.centre - truth.centre(seen.centre_kind), truth.size_px(), truth.blur,

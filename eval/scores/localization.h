@@ -20,7 +20,7 @@ struct Fix {
   std::optional<BlurEstimate> told_blur;  ///< what the method says of it
 };
 
-/// All Hits on one target, in order.
+/// All Hits on one target, in order; not those on frames whose label stems from the method itself.
 std::vector<Fix> fixes(const Recording& recording, const Trajectory& trajectory, const Evaluation& evaluation,
                        std::size_t target);
 

@@ -101,7 +101,9 @@ Scores scores_of(const Tally& tally) {
   what_was_said(tally, s);
   how_time_passed(tally, s);
   what_was_lost(tally, s);
-  s.localization = localize(tally.fixes, static_cast<std::size_t>(tally.sum.could_hit));
+  s.localization = localize(tally.fixes, static_cast<std::size_t>(tally.sum.could_hit) - tally.own_labels);
+  s.own_labels = tally.own_labels;
+  s.labels = tally.labels;
   s.blur = blur_accuracy(tally.fixes);
   s.by_blur = tally.by_blur;
   s.by_gap = tally.by_gap;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "eval/scores/blur_accuracy.h"
@@ -54,6 +56,9 @@ struct Scores {
   Recovery recovery;
   TrackingSurvivals survival;  ///< after every start or reset
   Localization localization;
+  std::size_t own_labels = 0;  ///< frames that localization leaves out: the method made their labels
+  std::map<std::string, std::size_t>
+      labels;  ///< visible or absent, times targets, by their source (core/truth.h)
   BlurAccuracy blur;
   std::array<HitCount, kBlurBinCount> by_blur{};  ///< recognition apart by the length of the true blur
   std::array<HitCount, kGapBinCount> by_gap{};    ///< recognition apart by the gap before the frame

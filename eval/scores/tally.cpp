@@ -18,6 +18,16 @@ std::size_t gap_bin(std::int64_t slots) {
   return static_cast<std::size_t>(at - kGapBins.begin());
 }
 
+void count_sources(const Recording& recording, const std::string& method, std::size_t target,
+                   const std::vector<Contribution>& frames, Tally& tally) {
+  for (std::size_t frame = 0; frame < recording.frames(); ++frame) {
+    const TargetTruth& truth = recording.truth_of(frame, target);
+    if (truth.label != Label::unlabelled) ++tally.labels[to_string(truth.source)];
+    if (stems_from(truth.source, method))
+      tally.own_labels += static_cast<std::size_t>(frames[frame].could_hit);
+  }
+}
+
 void count_verdicts(const TargetTimeline& timeline, Tally& tally) {
   for (const Judgement& judged : timeline.judgements) {
     ++tally.frames;
@@ -133,6 +143,8 @@ Tally& Tally::operator+=(const Tally& other) {
   add(losses_by_kind, other.losses_by_kind);
   append(starts, other.starts);
   append(fixes, other.fixes);
+  own_labels += other.own_labels;
+  for (const auto& [source, count] : other.labels) labels[source] += count;
   append(ages, other.ages);
   add(by_blur, other.by_blur);
   add(by_gap, other.by_gap);
@@ -151,6 +163,7 @@ TargetTally tally(const Recording& recording, const Trajectory& trajectory, cons
   TargetTally result{contributions(recording, evaluation, target, visible), {}};
   Tally& all = result.tally;
   count_verdicts(timeline, all);
+  count_sources(recording, trajectory.method, target, result.frames, all);
   count_bins(result.frames, blur_bins(recording, target), all.by_blur);
   count_bins(result.frames, gap_bins(recording, timeline.judgements), all.by_gap);
   for (const Contribution& frame : result.frames) all.sum += frame;

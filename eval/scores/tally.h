@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <map>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -47,6 +49,10 @@ struct Tally {
   std::array<std::size_t, kLossKinds> losses_by_kind{};
   std::vector<TrackingLifetime> starts;  ///< of every Given, to its lock's end
   std::vector<Fix> fixes;
+  std::size_t own_labels =
+      0;  ///< frames that could be Hits, whose label stems from the method: localization leaves out
+  std::map<std::string, std::size_t>
+      labels;  ///< visible or absent, times targets, by their source (core/truth.h)
   std::vector<AgeStretch> ages;
   std::array<HitCount, kBlurBinCount> by_blur{};
   std::array<HitCount, kGapBinCount> by_gap{};

@@ -33,6 +33,7 @@ def main(test):
         sys.exit(77)
     os.makedirs(pictures, exist_ok=True)
     with tempfile.TemporaryDirectory() as work, Browser() as browser:
+        browser.requests()  # the browser's own first page
         test(browser, work)
     print(f"{passed} passed, {failed} failed")
     sys.exit(1 if failed else 0)

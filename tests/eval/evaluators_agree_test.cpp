@@ -131,6 +131,13 @@ std::string difference(const Evaluation& ours, const Evaluation& naive, const Re
 
 using Fields = std::vector<std::pair<std::string, std::optional<double>>>;
 
+constexpr const char* kSources[] = {"", "hand", "spline", "detector ring", "spline detector kcf+ring"};
+
+std::size_t labels_from(const Scores& s, const std::string& source) {
+  const auto found = s.labels.find(source);
+  return found == s.labels.end() ? 0 : found->second;
+}
+
 Fields fields(const Scores& s) {
   Fields all;
   const auto add = [&](std::string name, std::optional<double> value) {
@@ -182,6 +189,8 @@ Fields fields(const Scores& s) {
   add("spread_px", l.spread_px), add("along_blur_px", l.along_blur_px),
       add("across_blur_px", l.across_blur_px);
   add("label_sigma_px", l.label_sigma_px);
+  add_count("own_labels", s.own_labels);
+  for (const char* source : kSources) add_count(std::string("labels ") + source, labels_from(s, source));
   for (std::size_t i = 0; i < l.within.size(); ++i)
     add("localization.within " + std::to_string(i), l.within[i]);
   const BlurAccuracy& b = s.blur;

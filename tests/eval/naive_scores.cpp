@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "tests/eval/naive_evaluator.h"
@@ -180,14 +181,29 @@ BlurAccuracy blur_accuracy_of(const std::vector<HitAt>& hits) {
 // --- Everything that is pooled by adding up or by putting together.
 
 struct Heap {
-  Scores counts;  // only its counts, numbers of losses and bins are filled in
-  size_t to_recognise = 0;
+  Scores counts;                           // only its counts, numbers of losses and bins are filled in
+  size_t to_recognise = 0, by_others = 0;  // of them: the method did not make the label
   Duration visible{0}, locked{0}, lost{0}, fresh{0}, fresh_at_best{0}, locked_at_best{0};
   std::vector<Watched> losses;
   std::vector<HitAt> hits;
   std::vector<Ageing> ageings;
   LostTime said_while_lost;
 };
+
+// Whether one of the names that a method is typed with is among those that made a label.
+bool made_by(const std::string& method, const LabelSource& source) {
+  std::string word;
+  for (const char c : method + ",") {
+    if (std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_') {
+      word += c;
+      continue;
+    }
+    for (const std::string& name : source.detectors)
+      if (name == word) return true;
+    word.clear();
+  }
+  return false;
+}
 
 void add_target(Heap& heap, const Recording& recording, const Trajectory& trajectory, size_t t,
                 const TargetTimeline& timeline) {
@@ -201,7 +217,11 @@ void add_target(Heap& heap, const Recording& recording, const Trajectory& trajec
     ++heap.counts.verdicts[static_cast<size_t>(judgement.verdict)];
     heap.counts.uncoded += judgement.uncoded ? 1 : 0;
     heap.counts.failed += judgement.failed ? 1 : 0;
+    const TargetTruth& truth = recording.truth[k * recording.targets.size() + t];
+    const bool own = made_by(trajectory.method, truth.source);
+    if (is_labelled(looks[k])) ++heap.counts.labels[to_string(truth.source)];
     if (counts_for_recognition(looks[k])) {
+      (own ? heap.counts.own_labels : heap.by_others) += 1;
       const size_t hit = judgement.verdict == Verdict::Hit ? 1 : 0;
       HitCount& blur = heap.counts.by_blur[blur_bin(recording.truth[k * recording.targets.size() + t])];
       HitCount& gap = heap.counts.by_gap[gap_bin(looks, k, recording.period)];
@@ -211,7 +231,7 @@ void add_target(Heap& heap, const Recording& recording, const Trajectory& trajec
     if (perfect[k].verdict == Verdict::Hit) possible_hits.push_back(looks[k].captured);
     if (judgement.verdict != Verdict::Hit) continue;
     hits.push_back(looks[k].captured);
-    const TargetTruth& truth = recording.truth[k * recording.targets.size() + t];
+    if (own) continue;  // it would be measured by itself
     const Vec2 error{looks[k].reported.x - looks[k].truth.x, looks[k].reported.y - looks[k].truth.y};
     const auto sighting = static_cast<size_t>(judgement.sighting);
     heap.hits.push_back({judgement.error_px, outline_size(*truth.outline), truth.sigma_px, error, truth.blur,
@@ -261,7 +281,7 @@ Scores scores_of(const Heap& heap) {
   s.losses_per_minute = ratio(static_cast<double>(s.losses), s.locked_s / 60);
   s.mean_time_between_losses_s = ratio(s.locked_s, static_cast<double>(s.losses));
   s.recovery = recovery_of(heap.losses);
-  s.localization = localization_of(heap.hits, heap.to_recognise);
+  s.localization = localization_of(heap.hits, heap.by_others);
   s.blur = blur_accuracy_of(heap.hits);
   return s;
 }

@@ -292,6 +292,19 @@ Trajectory some_trajectory(Random& random, const Recording& recording) {
   return trajectory;
 }
 
+// Who labelled: most often nobody says; else people, curves and methods, in stretches.
+void name_sources(Random& random, Case& drawn) {
+  drawn.trajectory.method = one_of(random, {"ring", "hybrid(ring,kcf)", "ring-paper(k=5)", "csrt"});
+  if (random.chance(0.5)) return;
+  LabelSource source;
+  for (TargetTruth& truth : drawn.recording.truth) {
+    if (random.chance(0.2))
+      source = parse_label_source(
+          one_of(random, {"", "hand", "spline", "detector ring", "spline detector kcf+ring"}));
+    truth.source = source;
+  }
+}
+
 }  // namespace
 
 Case random_case(std::uint64_t seed) {
@@ -299,6 +312,7 @@ Case random_case(std::uint64_t seed) {
   Case drawn;
   drawn.recording = some_recording(random);
   drawn.trajectory = some_trajectory(random, drawn.recording);
+  name_sources(random, drawn);
   return drawn;
 }
 

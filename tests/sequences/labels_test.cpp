@@ -96,6 +96,7 @@ TEST(Labels, AreTheSameAfterWritingAndReading) {
     if (random.chance(0.5)) truth.tilt_deg = coordinate();
     truth.visible_fraction = truth.label == Label::visible ? 0.75 : 0.25;
     truth.sigma_px = 0.5;
+    truth.source = parse_label_source(random.chance(0.5) ? "hand" : "spline detector aruco+ring");
   }
   const Scratch scratch;
   write_truth(scratch.path(), recording);
@@ -112,7 +113,24 @@ TEST(Labels, AreTheSameAfterWritingAndReading) {
     EXPECT_EQ(a.blur, b.blur);
     EXPECT_EQ(a.tilt_deg, b.tilt_deg);
     EXPECT_EQ(a.visible_fraction, b.visible_fraction);
+    EXPECT_EQ(a.source, b.source);
   }
+}
+
+TEST(Labels, ThatStateNoSourceAreWrittenAsTheyWereBeforeThereWereSources) {
+  const Recording recording = read("frame,x,y,width,height\n1,10,10,20,20\n");
+  EXPECT_EQ(recording.truth_of(1, 0).source, LabelSource{});
+  std::ostringstream out;
+  write_labels(out, recording);
+  EXPECT_EQ(out.str().find("source"), std::string::npos);
+}
+
+TEST(Labels, RefuseASourceThatIsNone) {
+  EXPECT_EQ(fault("frame,x,y,width,height,source\n1,10,10,20,20,detector\n"),
+            "labels.csv:2: column source: \"detector\" is none of hand, spline, detector NAME, spline "
+            "detector NAME");
+  EXPECT_NE(fault("frame,x,y,width,height,source\n1,10,10,20,20,detector a+\n").find("without a name"),
+            std::string::npos);
 }
 
 TEST(Labels, EndInAnErrorOrNotAtAllOnAnyBytes) {
