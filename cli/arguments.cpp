@@ -114,7 +114,8 @@ void add_timeline(CLI::App& app, TimelineArguments& a) {
 
 void add_report(CLI::App& app, ReportArguments& a) {
   CLI::App& verb = *app.add_subcommand(
-      "report", "Write all that results tell into one page: answer, timelines, reasons, losses with pictures");
+      "report",
+      "Write all that results tell into one page: answer, timelines, reasons, losses with pictures");
   verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
   verb.add_option("--out,-o", a.out, "the page")->capture_default_str();
   verb.add_option("--sequence", a.sequences,
