@@ -157,7 +157,8 @@ void add_video(CLI::App& app, VideoArguments& a) {
 
 void add_report(CLI::App& app, ReportArguments& a) {
   CLI::App& verb = *app.add_subcommand(
-      "report", "Write all that results tell into one page: answer, timelines, reasons, losses with pictures");
+      "report",
+      "Write all that results tell into one page: answer, timelines, reasons, losses with pictures");
   verb.add_option("results", a.folder, "a folder of results, or a part of one")->required();
   verb.add_option("--out,-o", a.out, "the page")->capture_default_str();
   verb.add_option("--sequence", a.sequences,

@@ -98,9 +98,10 @@ int timeline(const TimelineArguments& arguments);
 struct ReportArguments {
   std::filesystem::path folder;
   std::filesystem::path out = "report.html";
-  std::optional<std::string> gate;               ///< else the one by which resets were judged, else centre
-  std::vector<std::filesystem::path> sequences;  ///< recordings that are not where they were, for their pictures
-  double pictures_mb = 4;                        ///< all pictures together, as they stand in the page
+  std::optional<std::string> gate;  ///< else the one by which resets were judged, else centre
+  std::vector<std::filesystem::path>
+      sequences;           ///< recordings that are not where they were, for their pictures
+  double pictures_mb = 4;  ///< all pictures together, as they stand in the page
 };
 int report(const ReportArguments& arguments);
 
