@@ -97,10 +97,12 @@ const KeyResidual* residual_of(const LabelCheck& check, std::size_t frame) {
   return nullptr;
 }
 
-std::vector<std::string> caption(const LabelCheck& check, const FilledTarget& filled, std::size_t frame) {
+/// Two short lines; `whose` is empty where there is one target.
+std::vector<std::string> caption(const LabelCheck& check, const std::string& whose,
+                                 const FilledTarget& filled, std::size_t frame) {
   const bool key = filled.rests_on[frame] == RestsOn::key;
-  std::string first = fmt::format("{} {}", frame, key ? "key" : "curve");
-  if (key) first = fmt::format("{} {}", frame, to_string(filled.truth[frame].source));
+  const std::string source = key ? to_string(filled.truth[frame].source) : "curve";
+  const std::string first = fmt::format("{}{} {}", whose, frame, source);
   const KeyResidual* left = key ? residual_of(check, frame) : nullptr;
   const std::string off =
       left != nullptr ? fmt::format(", left out {:+.1f} {:+.1f}", left->error_px.x, left->error_px.y) : "";
@@ -174,10 +176,11 @@ cv::Mat contact_sheet(const LabelDesk& desk, const std::vector<LabelCheck>& chec
   std::vector<cv::Mat> tiles;
   for (std::size_t t = 0; t < checks.size(); ++t) {
     const FilledTarget& filled = desk.filled()[t];
+    const std::string whose = checks.size() > 1 ? checks[t].target + " " : "";
     for (const std::size_t frame : frames_to_show(filled))
       tiles.push_back(tile(shelf.picture(frame), filled.truth[frame],
                            filled.rests_on[frame] == RestsOn::key ? kOrange : kBlue,
-                           caption(checks[t], filled, frame)));
+                           caption(checks[t], whose, filled, frame)));
   }
   const int count = static_cast<int>(tiles.size()), rows = std::max(1, (count + kColumns - 1) / kColumns);
   const int high = kTile_px + kCaption_px, wide = kTile_px + 6;

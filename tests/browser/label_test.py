@@ -229,6 +229,12 @@ def strangers_are_refused(labelling):
         expect(f"{path} is not served", True, status in (403, 404, 422) and "root:" not in said and "frame,target" not in said)
 
 
+def is_checked(clip, sheet):
+    expect("the labels are checked", (0, ""), checks.relock("label", clip, "--check", "--sheet", sheet))
+    with open(sheet, "rb") as picture:
+        expect("and drawn on a sheet", b"\x89PNG", picture.read(4))
+
+
 def refused(clip, file, content):
     """What relock says when a file is other than it left it. It must be as it was afterwards."""
     with open(file, "rb") as kept:
@@ -292,6 +298,7 @@ def labels_a_clip(browser, work):
         expect("the console is empty, but for the time when relock was gone", [], told)
     finally:
         labelling.kill()
+    is_checked(clip, f"{checks.pictures}/label-check.png")
     foreign_files_are_refused(clip)
 
 

@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
+#include <cmath>
+#include <thread>
 
 #include "cli/files.h"
 #include "cli/labelling/check_sheet.h"
@@ -191,6 +192,43 @@ TEST_F(Desk, IsCheckedByKeyFramesThatWereLeftOut) {
   EXPECT_LT(*rms_px(checks[0]), 1e-6) << "a straight way";
   EXPECT_EQ(share_within(checks[0], 1), 1.0);
   EXPECT_FALSE(contact_sheet(desk, checks).empty());
+}
+
+/// Real footage of a camera that jerks, labelled by clicks where the desk leads, with the truth of its labels.csv.
+TEST(Labelling, OfRealFootageIsRightAfterClicksOnFewerThanHalfOfItsFrames) {
+  const fs::path klahaag = fs::path(RELOCK_SOURCE_DIR) / "recordings/klahaag";
+  const Recording truth = open_sequence(klahaag).recording;
+  const Scratch scratch;
+  OpenOptions options;
+  options.truth = Truth::ignored;
+  options.labels = scratch.path() / "labels.csv";
+  LabelDesk desk(open_sequence(klahaag, options), {});
+  LikenessWatch watch(desk.sequence().frames);
+  std::size_t clicks = 0;
+  for (;; ++clicks) {
+    watch.look_at_labels(desk.document().targets, desk.filled(), desk.version());
+    while (!watch.finished()) std::this_thread::yield();
+    const Json next = desk.state(watch.known())["targets"][0]["to_go"]["next"];
+    if (next.is_null()) break;
+    const std::size_t frame = next["frame"];
+    Json key{{"do", "key"}, {"target", "shirt"}, {"frame", frame}, {"state", "placed"}, {"sigma_px", 0.7}};
+    add_outline(key, *truth.truth_of(frame, 0).outline);
+    desk.edit(key);
+    ASSERT_LT(clicks, truth.frames());
+  }
+  EXPECT_LT(clicks, truth.frames() / 2);
+  std::size_t within_two = 0, curve = 0;
+  for (std::size_t frame = 0; frame < truth.frames(); ++frame) {
+    const TargetTruth& label = desk.filled()[0].truth[frame];
+    ASSERT_TRUE(label.outline) << frame;
+    const Vec2 off = centre_of(*label.outline) - centre_of(*truth.truth_of(frame, 0).outline);
+    EXPECT_LT(norm(off), 0.1 * label.size_px()) << frame;
+    if (desk.filled()[0].rests_on[frame] != RestsOn::curve) continue;
+    ++curve;
+    within_two += std::max(std::abs(off.x), std::abs(off.y)) <= 2 * std::hypot(label.sigma_px, 0.7) ? 1 : 0;
+  }
+  EXPECT_GE(static_cast<double>(within_two), 0.9 * static_cast<double>(curve)) << "as the labels state";
+  RecordProperty("clicks", static_cast<int>(clicks));
 }
 
 }  // namespace

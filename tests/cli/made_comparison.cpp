@@ -53,6 +53,7 @@ StoredRun stored_run(const Recording& recording, const MadeRun& run, const MadeC
   stored.record.recording = recording.name;
   stored.record.method = run.method;
   stored.record.yardstick = run.yardstick;
+  stored.trajectory.method = run.method;
   stored.trajectory.judged_from.assign(recording.targets.size(), 0);
   stored.trajectory.failed_from.resize(recording.targets.size());
   for (std::size_t frame = 0; frame < recording.frames(); ++frame) {

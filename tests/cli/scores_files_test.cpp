@@ -108,5 +108,42 @@ TEST(ScoresJson, OfOneRunHaveEveryTargetThatWasJudged) {
   EXPECT_TRUE(json.at("cut_short_at_frame").is_null());
 }
 
+/// Of two methods that always hit: the first ten frames are labelled by `ring`, ten by a curve through its answers.
+StoredComparison labelled_by_ring() {
+  const std::string hits(60, 'H');
+  auto stored = made_comparison("a", {{"hybrid(ring,kcf)", {hits}}, {"csrt", {hits}}});
+  for (std::size_t frame = 0; frame < 60; ++frame)
+    stored.recording.truth_of(frame, 0).source = parse_label_source(frame < 10   ? "detector ring"
+                                                                    : frame < 20 ? "spline detector ring"
+                                                                                 : "hand");
+  return stored;
+}
+
+TEST(ScoresJson, TellHowManyLabelsAreFromWhereAndLeaveAMethodsOwnOutOfItsLocalization) {
+  const ScoredComparison compared = scored(labelled_by_ring(), {});
+  const std::map<std::string, std::size_t> own{{"hybrid(ring,kcf)", 20}, {"csrt", 0}};
+  for (std::size_t run = 0; run < 2; ++run) {
+    const auto json = nlohmann::json::parse(scores_json(compared.stored.runs[run], compared.stored.recording,
+                                                        compared.gate, compared.sheets[run]));
+    const auto& pooled = json.at("pooled");
+    const std::size_t left_out = own.at(json.at("method"));
+    EXPECT_EQ(pooled.at("labels").at("by_source"),
+              (nlohmann::json{{"detector ring", 10}, {"spline detector ring", 10}, {"hand", 40}}));
+    EXPECT_EQ(pooled.at("labels").at("left_out_of_localization"), left_out);
+    EXPECT_EQ(pooled.at("localization").at("hits"), 60 - left_out);
+    EXPECT_EQ(pooled.at("localization").at("share_within").at("0.25_d"), 1.0)
+        << "of the frames that are left";
+    EXPECT_EQ(pooled.at("recognition"), 1.0);
+  }
+}
+
+TEST(CommonHits, AreNotOnFramesWhoseLabelStemsFromOneOfThem) {
+  const ScoredComparison compared = scored(labelled_by_ring(), {});
+  for (std::size_t run = 0; run < 2; ++run) {
+    EXPECT_EQ(compared.common[run][0].size(), 40u);
+    for (const Fix& fix : compared.common[run][0]) EXPECT_GE(fix.frame, 20u);
+  }
+}
+
 }  // namespace
 }  // namespace relock
