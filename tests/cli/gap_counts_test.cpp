@@ -92,7 +92,11 @@ TEST(GapEffects, TellInteractionsFromMainEffects) {
 
 /// A step over `slots` slots, by `tenths` of D.
 Transition step(int slots, double tenths, bool lost = false) {
-  return {.recorded_slots = slots - 1.0, .displacement = tenths, .lost = lost};
+  Transition made;
+  made.recorded_slots = slots - 1.0;
+  made.displacement = tenths;
+  made.lost = lost;
+  return made;
 }
 
 TEST(StepRisks, AreOfEveryStepWhoseDisplacementIsKnownInOneBinOnly) {
