@@ -10,6 +10,7 @@
 #include "cli/labelling/likeness.h"
 #include "cli/labelling/shelf.h"
 #include "core/opencv.h"
+#include "source_folder.h"
 #include "tests/sequences/scratch.h"
 
 namespace relock {
