@@ -1,6 +1,9 @@
 #include "cli/reproduce/ablation.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "cli/reproduce/gap_flights.h"
 #include "cli/reproduce/gap_words.h"

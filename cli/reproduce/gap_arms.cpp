@@ -1,5 +1,8 @@
 #include "cli/reproduce/gap_arms.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <fstream>
 
 #include "core/error.h"

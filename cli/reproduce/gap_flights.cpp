@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/reproduce/contenders.h"
 
 namespace relock::reproduction {

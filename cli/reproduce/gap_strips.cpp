@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <opencv2/core/mat.hpp>
 
 #include "cli/drawing.h"

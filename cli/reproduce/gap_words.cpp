@@ -1,7 +1,9 @@
 #include "cli/reproduce/gap_words.h"
 
 #include <fmt/format.h>
+
 #include <fmt/ranges.h>
+#include <algorithm>
 
 namespace relock::reproduction {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/reproduce/gap_flights.h"
 #include "cli/reproduce/gap_words.h"
 #include "eval/statistics/kaplan_meier.h"
